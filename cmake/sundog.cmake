@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+# The two ways in which this project makes targets.
+
+add_library(sundog_options INTERFACE)
+target_compile_features(sundog_options INTERFACE cxx_std_20)
+target_include_directories(sundog_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_options(sundog_options INTERFACE -Wall -Wextra -Wpedantic)
+if(SUNDOG_WERROR)
+  target_compile_options(sundog_options INTERFACE -Werror)
+endif()
+if(SUNDOG_NATIVE)
+  target_compile_options(sundog_options INTERFACE -march=native)
+endif()
+if(SUNDOG_SANITIZE)
+  target_compile_options(sundog_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(sundog_options INTERFACE -fsanitize=address,undefined)
+endif()
+# The same arithmetic on every x86-64 machine: no contraction into fused multiply-adds behind our back.
+target_compile_options(sundog_options INTERFACE -ffp-contract=off)
+
+# sundog_library(name SOURCES a.cpp … DEPS targets …): a static library sundog_<name>.
+function(sundog_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;PRIVATE_DEPS" ${ARGN})
+  add_library(sundog_${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(sundog_${name} PUBLIC sundog_options ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS})
+endfunction()
+
+# sundog_test(name SOURCES a_test.cpp … DEPS targets …): a GoogleTest program whose cases CTest runs one by one.
+function(sundog_test name)
+  if(NOT SUNDOG_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE sundog_options ${ARG_DEPS} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE SUNDOG_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the scene as written to what devices render.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/diagnostics.h"
+#include "device/render_scene.h"
+#include "scene/scene.h"
+
+namespace sundog {
+
+/// Flattens a scene into the kernel's arrays. Zero-area triangles are dropped with one warning an object; a scene
+/// without any primitive is fine (all sky). Vertex normals of zero length fall back to the face's.
+std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn);
+
+/// What the caller chooses of a picture; what is not set comes from the scene's Settings, then from the defaults
+/// that the manual names (640x480, depth 5, min_weight 0.01, shadows on, no far clip).
+struct FrameOptions {
+    std::optional<int> width, height;
+    float time_s = 0;                 ///< Overruled by Settings::freeze_s.
+    std::optional<int> max_depth;
+    std::optional<float> min_weight;
+    std::optional<bool> shadows;
+    std::optional<float> far_z;
+    std::optional<kernel::Camera> camera;  ///< Instead of the scene's own.
+    std::uint32_t aovs = 0;           ///< AOV_* bits
+};
+
+/// The frame of a compiled scene at a moment: camera, lights, moving objects, limits.
+Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const FrameOptions& options);
+
+/// The scene's camera at time_s for a window of the given aspect (width / height).
+kernel::Camera camera_at(const scene::OrbitCamera& camera, float time_s, float aspect);
+
+}  // namespace sundog

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interface every device implements. CPU and Vulkan stand behind it and never see each other.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "device/film.h"
+#include "device/render_scene.h"
+
+namespace sundog {
+
+/// What to compute in one go: every pixel of `region`, samples [first_sample, first_sample + sample_count).
+/// Sample 0 goes through the pixel's centre; later ones are a fixed low-discrepancy sequence. With first_sample 0 the
+/// film's pixels are overwritten, otherwise added to.
+struct RenderWork {
+    PixelRect region;
+    std::uint32_t first_sample = 0;
+    std::uint32_t sample_count = 1;
+};
+
+/// What a render() did.
+struct RenderStats {
+    std::uint64_t rays = 0;         ///< Rays of all kinds: primary, secondary and shadow.
+    std::uint64_t shadow_rays = 0;  ///< Of them, shadow rays.
+    bool complete = true;           ///< False if stopped early: some pixels of the region keep their old content.
+};
+
+/// Who a device is.
+struct DeviceInfo {
+    std::string kind;         ///< "cpu" or "gpu"
+    std::string name;         ///< As the driver or processor calls itself.
+    std::string detail;       ///< One line: threads and instruction set, or driver and API version.
+    bool software = false;    ///< A GPU API that runs on the CPU (lavapipe).
+};
+
+/// Renders frames of one scene at a time. Not thread-safe: one caller at a time. Errors: DeviceError.
+class Device {
+public:
+    Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+    virtual ~Device() = default;
+
+    [[nodiscard]] virtual const DeviceInfo& info() const = 0;
+    /// One sentence for each thing in the scene that this device can't draw; empty if all of it can be.
+    [[nodiscard]] virtual std::vector<std::string> unsupported(const RenderScene& scene) const = 0;
+    /// Takes the scene and builds acceleration structures over it; replaces the one before.
+    virtual void load(std::shared_ptr<const RenderScene> scene) = 0;
+    /// Bytes that the loaded scene takes on this device beside the RenderScene itself.
+    [[nodiscard]] virtual std::size_t memory_bytes() const = 0;
+    /// Renders into `film`, whose bounds contain work.region. Returns when done, or soon after `stop` is requested.
+    /// The result depends on scene, frame and work alone: never on thread count, timing, or how work was split.
+    virtual RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) = 0;
+};
+
+}  // namespace sundog

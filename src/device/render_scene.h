@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What devices are given: the compiled scene (fixed) and the frame (new for every picture).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "kernel/shared.h"
+
+namespace sundog {
+
+namespace render_scene_detail {
+// The kernel's types, under the names that kernel/arrays.h uses.
+using namespace kernel;
+struct Arrays {
+#define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAY(type, name, binding) std::vector<type> name;
+#include "kernel/arrays.h"
+#undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_SCENE_ONLY
+};
+}  // namespace render_scene_detail
+
+/// A compiled scene: the kernel's arrays (see kernel/arrays.h), immutable once made by compile(), shared by devices.
+struct RenderScene : render_scene_detail::Arrays {
+    std::uint32_t features = 0;  ///< FEATURE_* bits that the scene itself needs (shadows and culling are the frame's).
+    Bounds3 bounds;              ///< World bounds of all finite geometry at rest.
+    std::vector<std::string> geometry_names;  ///< One for each of `geometries`; the scene object's name.
+    std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
+    std::vector<std::string> material_names;  ///< One for each of `materials`.
+};
+
+/// Bytes of all arrays.
+std::size_t memory_bytes(const RenderScene& scene);
+
+/// Everything about a picture that is not the RenderScene. `lights` and `instances` are never empty (one zeroed
+/// element stands in; params.light_count says how many lights count).
+struct Frame {
+    kernel::FrameParams params{};
+    std::vector<kernel::Light> lights;
+    std::vector<kernel::Instance> instances;  ///< As many as the scene's geometries refer to.
+};
+
+}  // namespace sundog

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Vulkan device: the same kernel as SPIR-V over our own wide BVH. Found at run time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "device/device.h"
+
+namespace sundog {
+
+/// A Vulkan physical device, usable or not.
+struct VulkanAdapter {
+    DeviceInfo info;
+    std::string why_unusable;  ///< Empty if it can be used; else one sentence.
+};
+
+/// All adapters of this machine; empty where there is no Vulkan loader or driver (`why` then says so).
+std::vector<VulkanAdapter> vulkan_adapters(std::string& why);
+
+/// Opens adapter number `index` of vulkan_adapters(). Errors: DeviceError.
+std::unique_ptr<Device> make_vulkan_device(std::size_t index);
+
+}  // namespace sundog

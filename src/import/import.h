@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// One door to all importers.
+#pragma once
+
+#include <filesystem>
+
+#include "base/diagnostics.h"
+#include "scene/scene.h"
+
+namespace sundog::import {
+
+/// Reads any scene file by its ending: .scene (orbit; a raytracer.conf beside it gives its settings), .obj (with a
+/// camera that frames its bounds, orbiting, and a sun), .conf (its defaultScene). Errors: InputError.
+scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& warn);
+
+}  // namespace sundog::import

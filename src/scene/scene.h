@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene as written: plain, located description that importers fill and compile/ flattens. No render objects.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/vec.h"
+
+namespace sundog::scene {
+
+/// Index into one of the Scene's vectors; kNone for "not set".
+using Index = std::uint32_t;
+inline constexpr Index kNone = 0xffffffffU;
+
+/// const, wave or linear motion of one number: base + amplitude*sin(speed*t) or speed*t. Angles in degrees,
+/// speeds in radians per second (wave) or degrees per second (linear), t in seconds.
+struct Motion {
+    enum class Kind { constant, wave, linear } kind = Kind::constant;
+    float base = 0;
+    float speed = 0;
+    float amplitude = 0;
+};
+
+/// The orbit format's camera: Z up, looks along +Y from `origin`, moved `distance` along -Y, then turned by rot_x
+/// about the X-parallel through origin, then by rot_z about the Z-parallel through origin. See docs/manual.
+struct OrbitCamera {
+    SourceLocation where;
+    float focus = 12;  ///< Image plane stands focus/12 from the eye; the window on it is 2 high.
+    Motion rot_x_deg, rot_z_deg;
+    float distance = 0;
+    Vec3 origin;
+};
+
+/// A light without size. A moving one stands at place + (cos(t*sx)*ax, sin(t*sy)*ay, cos(t*sz)*az).
+struct Light {
+    enum class Kind { lamp, sun } kind = Kind::lamp;
+    SourceLocation where;
+    Vec3 place;            ///< lamp: position. sun: the direction in which its light comes from (towards the sun).
+    Vec3 color{1, 1, 1};   ///< Linear RGB radiant intensity (no distance falloff, as in Whitted's and Phong's model).
+    bool moving = false;
+    Vec3 speed, amplitude;  ///< Used when moving; speed in radians per second.
+    bool shadows = true;
+};
+
+/// Texture pixels, row 0 at the top. 8-bit RGBA; `srgb` says whether RGB is sRGB-encoded (else linear data).
+struct Texture {
+    std::string name;
+    SourceLocation where;
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint32_t> rgba8;  ///< 0xAABBGGRR, width*height entries.
+    bool srgb = true;
+};
+
+/// How a material uses a texture (MTL options -s -o -clamp -bm -imfchan and the like, already resolved).
+struct TextureUse {
+    Index texture = kNone;
+    Vec2 scale{1, 1};
+    Vec2 offset{0, 0};
+    bool clamp = false;   ///< Outside 0..1: clamp instead of repeat.
+    float strength = 1;   ///< Bump multiplier.
+    std::uint8_t channel = 0;  ///< For scalar maps: 0 r, 1 g, 2 b, 3 alpha (matte), 4 luminance.
+};
+
+/// Two-colour checker on UVs: cells_u * cells_v squares per unit square; diffuse alternates with `other`.
+struct Checker {
+    float cells_u = 8, cells_v = 8;
+    Vec3 other;
+};
+
+/// A surface as MTL describes it (Wavefront 1995 and the PBR extension), kept as written; compile/ maps it to lobes.
+struct Material {
+    std::string name;
+    SourceLocation where;
+    std::optional<Vec3> ambient;         ///< Ka; where absent, diffuse stands in.
+    Vec3 diffuse{0.8F, 0.8F, 0.8F};      ///< Kd
+    Vec3 specular{0, 0, 0};              ///< Ks
+    Vec3 emission{0, 0, 0};              ///< Ke
+    Vec3 transmission_filter{1, 1, 1};   ///< Tf
+    float shininess = 0;                 ///< Ns
+    float ior = 1;                       ///< Ni
+    float opacity = 1;                   ///< d (Tr = 1 - d)
+    int illum = 2;
+    std::optional<float> roughness, metallic, clearcoat;  ///< Pr Pm Pc
+    bool phong_highlight = false;        ///< Own MTL key `highlight phong`: Phong's mirrored ray, not Blinn's halfway vector.
+    std::optional<Checker> checker;      ///< Own MTL key `checker_Kd u v r g b`.
+    TextureUse map_diffuse, map_specular, map_bump, map_normal, map_opacity, map_emission;
+};
+
+/// Triangles with indices into shared vertex arrays. Every index is in range; every number finite.
+struct Mesh {
+    struct Triangle {
+        std::uint32_t position[3];
+        std::uint32_t normal[3];    ///< kNone in all three: flat.
+        std::uint32_t texcoord[3];  ///< kNone in all three: none.
+        Index material;
+    };
+    std::vector<Vec3> positions, normals;
+    std::vector<Vec2> texcoords;
+    std::vector<Triangle> triangles;
+};
+
+struct Sphere {
+    Vec3 center;
+    float radius = 1;
+};
+/// All points p with dot(normal, p) = offset, unit normal; infinite.
+struct Plane {
+    Vec3 normal{0, 0, 1};
+    float offset = 0;
+};
+/// Axis-aligned (in object space).
+struct Box {
+    Vec3 lower, upper;
+};
+
+/// A moving object: turned about the Z-parallel (X-parallel) through `center`, and moved by
+/// amplitude*sin(speed*t) per axis.
+struct ObjectMotion {
+    Vec3 center;
+    Motion rot_x_deg, rot_y_deg, rot_z_deg;
+    Vec3 move_speed, move_amplitude;
+};
+
+/// A thing with one bounding box: an OBJ object (mesh), or an analytic shape with one material.
+struct Object {
+    std::string name;
+    SourceLocation where;
+    std::variant<Mesh, Sphere, Plane, Box> shape;
+    Index material = 0;  ///< For analytic shapes; a mesh's triangles name theirs.
+    std::optional<ObjectMotion> motion;
+};
+
+/// Settings that a scene file may fix and the command line may overrule.
+struct Settings {
+    std::optional<int> width, height;
+    std::optional<bool> fullscreen;
+    std::optional<float> freeze_s;  ///< Show only this moment.
+    std::optional<int> max_depth;
+    std::optional<bool> shadows;
+    std::optional<float> min_weight;  ///< reflThreshold
+    std::optional<float> far_z;
+    bool cull_backfaces = false;
+};
+
+/// A whole scene. Value type; importers make it, compile/ reads it.
+struct Scene {
+    std::string name;
+    std::vector<std::string> files;  ///< Every file that was read, for hot reload.
+    OrbitCamera camera;
+    std::vector<Light> lights;
+    std::vector<Texture> textures;
+    std::vector<Material> materials;  ///< Never empty once imported.
+    std::vector<Object> objects;
+    Vec3 ambient{0.1F, 0.1F, 0.1F};   ///< Linear RGB, multiplies Ka.
+    Vec3 sky{0, 0, 0};                ///< Linear RGB radiance of rays that hit nothing.
+    Settings settings;
+};
+
+/// Value of a motion at time_s.
+float value_at(const Motion& motion, float time_s);
+/// Place (or direction) of a light at time_s.
+Vec3 place_at(const Light& light, float time_s);
+/// world_from_object of a moving object at time_s.
+Affine3 transform_at(const ObjectMotion& motion, float time_s);
+/// True if anything in the scene depends on time.
+bool is_animated(const Scene& scene);
+
+}  // namespace sundog::scene

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene on a device: schedules the work of a picture, reports progress, can be stopped.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/progress.h"
+#include "device/device.h"
+
+namespace sundog {
+
+/// What became of a picture.
+struct RenderResult {
+    Film film;
+    RenderStats stats;
+    double seconds = 0;
+    bool stopped = false;  ///< True if the StopFlag ended it early; the film then holds what was done.
+};
+
+/// What one pixel sees.
+struct PixelInfo {
+    Vec3 radiance;           ///< Linear RGB at the pixel's centre.
+    float depth = 0;         ///< Distance from the eye; infinite on a miss.
+    Vec3 normal;             ///< World space.
+    std::uint32_t geometry = kernel::NONE, primitive = kernel::NONE, material = kernel::NONE;
+};
+
+/// Owns a device and renders frames of one compiled scene on it.
+class Session {
+public:
+    explicit Session(std::unique_ptr<Device> device);
+
+    [[nodiscard]] Device& device() { return *device_; }
+    /// Gives the scene to the device. Errors: DeviceError.
+    void load(std::shared_ptr<const RenderScene> scene);
+    [[nodiscard]] const RenderScene& scene() const { return *scene_; }
+
+    /// Renders a whole picture of `samples` samples a pixel. Work is split by sample passes and bands so that
+    /// progress can be shown and a stop is answered within about 0.1 s.
+    RenderResult render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress, const StopFlag& stop);
+
+    /// Renders samples [first, first+count) of `film`'s region into it; the viewer's way.
+    RenderStats render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,
+                            const StopFlag& stop);
+
+    /// Traces pixel (x, y)'s centre with all AOVs.
+    PixelInfo pick(const Frame& frame, int x, int y);
+
+private:
+    std::unique_ptr<Device> device_;
+    std::shared_ptr<const RenderScene> scene_;
+};
+
+}  // namespace sundog
