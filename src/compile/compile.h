@@ -19,13 +19,13 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
 /// that the manual names (640x480, depth 5, min_weight 0.01, shadows on, no far clip).
 struct FrameOptions {
     std::optional<int> width, height;
-    float time_s = 0;                 ///< Overruled by Settings::freeze_s.
+    float time_s = 0;  ///< Overruled by Settings::freeze_s.
     std::optional<int> max_depth;
     std::optional<float> min_weight;
     std::optional<bool> shadows;
     std::optional<float> far_z;
     std::optional<kernel::Camera> camera;  ///< Instead of the scene's own.
-    std::uint32_t aovs = 0;           ///< AOV_* bits
+    std::uint32_t aovs = 0;                ///< AOV_* bits
 };
 
 /// The frame of a compiled scene at a moment: camera, lights, moving objects, limits.

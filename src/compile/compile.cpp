@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/compile.h"
+
+#include <cmath>
+#include <type_traits>
+
+#include "compile/convert.h"
+#include "compile/material.h"
+#include "compile/mesh.h"
+
+namespace sundog {
+namespace {
+
+/// Inverse of the sRGB transfer function (IEC 61966-2-1) of a value of 0 to 255.
+float linear_of_srgb8(int value) {
+    const double s = value / 255.0;
+    return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+}
+
+void compile_textures(const scene::Scene& scene, RenderScene& out) {
+    std::size_t total = 0;
+    for (const scene::Texture& t : scene.textures) {
+        if (total + t.rgba8.size() >= kernel::NONE)
+            throw InputError({Severity::error, t.where,
+                              "texture '" + t.name + "': all textures together hold more than 4294967294 pixels", "",
+                              "use smaller pictures"});
+        out.textures.push_back(
+            {static_cast<std::uint32_t>(total), t.width, t.height, t.srgb ? kernel::TEXTURE_SRGB : 0U});
+        total += t.rgba8.size();
+    }
+    out.texels.reserve(total);
+    for (const scene::Texture& t : scene.textures) out.texels.insert(out.texels.end(), t.rgba8.begin(), t.rgba8.end());
+    out.srgb_to_linear.resize(256);
+    for (int i = 0; i < 256; ++i) out.srgb_to_linear[static_cast<std::size_t>(i)] = linear_of_srgb8(i);
+}
+
+void compile_materials(const scene::Scene& scene, RenderScene& out) {
+    for (const scene::Material& m : scene.materials) {
+        out.materials.push_back(compile_material(m, scene.textures));
+        out.material_names.push_back(m.name);
+    }
+    if (out.materials.empty()) {
+        out.materials.push_back(compile_material(scene::Material{}, {}));
+        out.material_names.emplace_back("default");
+    }
+}
+
+/// Normals cost memory and time: they are kept only if some triangle refers to them, uvs only if something uses them.
+MeshAttributes attributes_of(const scene::Scene& scene, const RenderScene& out) {
+    MeshAttributes attributes;
+    for (const kernel::Material& m : out.materials)
+        if (m.flags & kernel::MATERIAL_TEXTURED) attributes.uvs = true;
+    for (const scene::Object& object : scene.objects)
+        if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh && !mesh->normals.empty())
+            attributes.normals = true;
+    return attributes;
+}
+
+/// Appends the primitives of one object; `geometry` says where it will stand.
+class PrimitiveWriter {
+public:
+    PrimitiveWriter(const scene::Object& object, MeshAttributes attributes, RenderScene& out, const WarningSink& warn)
+        : object_(object), attributes_(attributes), out_(out), warn_(warn) {}
+
+    kernel::Geometry operator()(const scene::Mesh& mesh) {
+        const auto first = static_cast<std::uint32_t>(out_.triangles.size());
+        const std::uint32_t count = append_mesh(object_, mesh, attributes_, out_, warn_);
+        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE};
+    }
+    kernel::Geometry operator()(const scene::Sphere& sphere) {
+        if (!(sphere.radius > 0)) return none("a sphere of no radius");
+        out_.spheres.push_back({to_kernel(sphere.center), sphere.radius, object_.material});
+        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE};
+    }
+    kernel::Geometry operator()(const scene::Box& box) {
+        const Vec3 size = box.upper - box.lower;
+        if (!(size.x >= 0 && size.y >= 0 && size.z >= 0)) return none("a box whose corners are the wrong way round");
+        out_.boxes.push_back({to_kernel(box.lower), to_kernel(box.upper), object_.material});
+        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE};
+    }
+    kernel::Geometry operator()(const scene::Plane& plane) {
+        const float len = length(plane.normal);
+        if (!(len > 0)) return none("a plane whose normal has no direction");
+        out_.planes.push_back({to_kernel(plane.normal / len), plane.offset / len, object_.material,
+                               static_cast<std::uint32_t>(out_.geometries.size())});
+        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE};
+    }
+
+private:
+    template <class T>
+    static std::uint32_t last(const std::vector<T>& array) {
+        return static_cast<std::uint32_t>(array.size() - 1);
+    }
+    kernel::Geometry none(const char* what) {
+        if (warn_)
+            warn_(
+                {Severity::warning, object_.where, "object '" + object_.name + "' is " + what + "; left out", "", ""});
+        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE};
+    }
+
+    const scene::Object& object_;
+    MeshAttributes attributes_;
+    RenderScene& out_;
+    const WarningSink& warn_;
+};
+
+/// Object-space bounds; empty for a plane.
+Bounds3 bounds_of(const scene::Object& object) {
+    Bounds3 bounds;
+    if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
+        for (const scene::Mesh::Triangle& t : mesh->triangles)
+            for (const std::uint32_t p : t.position) bounds.include(mesh->positions[p]);
+    } else if (const auto* sphere = std::get_if<scene::Sphere>(&object.shape)) {
+        const Vec3 r{sphere->radius, sphere->radius, sphere->radius};
+        bounds.include(sphere->center - r);
+        bounds.include(sphere->center + r);
+    } else if (const auto* box = std::get_if<scene::Box>(&object.shape)) {
+        bounds.include(box->lower);
+        bounds.include(box->upper);
+    }
+    return bounds;
+}
+
+Bounds3 world_bounds_of(const scene::Object& object) {
+    const Bounds3 bounds = bounds_of(object);
+    if (!object.motion || bounds.empty()) return bounds;
+    const Affine3 world_from_object = scene::transform_at(*object.motion, 0);
+    Bounds3 world;
+    for (unsigned corner = 0; corner < 8; ++corner)
+        world.include(transform_point(world_from_object, {(corner & 1U) ? bounds.upper.x : bounds.lower.x,
+                                                          (corner & 2U) ? bounds.upper.y : bounds.lower.y,
+                                                          (corner & 4U) ? bounds.upper.z : bounds.lower.z}));
+    return world;
+}
+
+std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, bool moving) {
+    std::vector<bool> used(scene.materials.size());
+    for (const kernel::Triangle& t : scene.triangles) used[t.material] = true;
+    for (const kernel::Sphere& s : scene.spheres) used[s.material] = true;
+    for (const kernel::Box& b : scene.boxes) used[b.material] = true;
+    for (const kernel::Plane& p : scene.planes) used[p.material] = true;
+
+    std::uint32_t features = 0;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) features |= material_features(scene.materials[i]);
+    if (attributes.normals && !scene.triangles.empty()) features |= kernel::FEATURE_SMOOTH;
+    if (!scene.spheres.empty() || !scene.boxes.empty() || !scene.planes.empty()) features |= kernel::FEATURE_ANALYTIC;
+    if (moving) features |= kernel::FEATURE_INSTANCES;
+    return features;
+}
+
+}  // namespace
+
+std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn) {
+    auto out = std::make_shared<RenderScene>();
+    compile_textures(scene, *out);
+    compile_materials(scene, *out);
+
+    const MeshAttributes attributes = attributes_of(scene, *out);
+    std::uint32_t instance_count = 0;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const scene::Object& object = scene.objects[i];
+        kernel::Geometry geometry = std::visit(PrimitiveWriter{object, attributes, *out, warn}, object.shape);
+        if (geometry.primitive_count == 0) continue;
+        if (object.motion) geometry.instance = instance_count++;
+        out->geometries.push_back(geometry);
+        out->geometry_names.push_back(object.name);
+        out->geometry_objects.push_back(static_cast<std::uint32_t>(i));
+        out->bounds.include(world_bounds_of(object));
+    }
+    out->features = features_of(*out, attributes, instance_count > 0);
+
+    // Arrays bound to a kernel are never empty, and positions are read four floats at a time.
+    out->positions.push_back({0, 0, 0});
+#define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAY(type, name, binding) \
+    if (out->name.empty()) out->name.resize(1);
+#include "kernel/arrays.h"
+#undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_SCENE_ONLY
+    return out;
+}
+
+}  // namespace sundog

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/material.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compile/convert.h"
+
+namespace sundog {
+namespace {
+
+constexpr Vec3 kWhite{1, 1, 1};
+constexpr float kDielectricReflectance = 0.04F;  // At normal incidence, of an index of refraction of 1.5.
+constexpr float kSmoothest = 0.3F;               // Rougher dielectrics show no mirror image.
+
+bool black(Vec3 c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
+bool black(const kernel::vec3& c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
+Vec3 clamp01(Vec3 c) { return min(max(c, {0, 0, 0}), kWhite); }
+
+kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures) {
+    kernel::TextureRef ref{};
+    ref.texture = use.texture < textures.size() && !textures[use.texture].rgba8.empty() ? use.texture : kernel::NONE;
+    ref.flags =
+        (use.clamp ? kernel::TEXTURE_CLAMP : 0U) | (std::uint32_t{use.channel} << kernel::TEXTURE_CHANNEL_SHIFT);
+    ref.scale = to_kernel(use.scale);
+    ref.offset = to_kernel(use.offset);
+    ref.strength = use.strength;
+    return ref;
+}
+
+bool refracts(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
+bool mirrors(int illum) { return illum >= 3 && illum <= 8; }
+bool fresnel(int illum) { return illum == 5 || illum == 7; }
+
+Vec3 transmittance_of(const scene::Material& m) {
+    const float passes = std::clamp(1 - m.opacity, 0.0F, 1.0F);
+    if (!refracts(m.illum)) return kWhite * passes;
+    const Vec3 filter = clamp01(m.transmission_filter);
+    if (passes > 0) return filter * passes;
+    const bool tinted = !(filter == kWhite);
+    const bool glass_with_d_1 = tinted || ((m.illum == 6 || m.illum == 7) && m.ior != 1);
+    return glass_with_d_1 ? filter : Vec3{};
+}
+
+/// Mirror, diffuse and highlight of an opaque surface with the PBR extension's keys.
+void set_pbr(const scene::Material& m, kernel::Material& out) {
+    const float from_highlight = std::pow(2 / (std::max(m.shininess, 0.0F) + 2), 0.25F);
+    const float roughness = std::clamp(m.roughness.value_or(from_highlight), 0.0F, 1.0F);
+    const float metallic = std::clamp(m.metallic.value_or(0), 0.0F, 1.0F);
+    const float clearcoat = std::clamp(m.clearcoat.value_or(0), 0.0F, 1.0F);
+    const bool smooth = roughness < kSmoothest;
+
+    const Vec3 color = clamp01(m.diffuse);
+    const float gloss = (1 - roughness) * (1 - roughness);
+    Vec3 reflectance = color * (metallic * gloss);
+    if (smooth) reflectance += kWhite * ((1 - metallic) * kDielectricReflectance * gloss);
+    reflectance += kWhite * (kDielectricReflectance * clearcoat);
+    out.reflectance = to_kernel(clamp01(reflectance));
+    if (smooth || clearcoat >= 0.5F) out.flags |= kernel::MATERIAL_FRESNEL;
+
+    out.diffuse = to_kernel(m.diffuse * (1 - metallic));
+    out.ambient = to_kernel(m.ambient.value_or(m.diffuse) * (1 - metallic));
+    out.specular = to_kernel(color * metallic + m.specular * (1 - metallic));
+    const float roughness4 = roughness * roughness * roughness * roughness;
+    out.shininess = 2 / std::max(roughness4, 1e-4F) - 2;
+}
+
+void set_textures(const scene::Material& m, std::span<const scene::Texture> textures, kernel::Material& out) {
+    out.diffuse_texture = compile_use(m.map_diffuse, textures);
+    out.specular_texture = compile_use(m.map_specular, textures);
+    out.emission_texture = compile_use(m.map_emission, textures);
+    out.opacity_texture = compile_use(m.map_opacity, textures);
+    out.bump_texture = compile_use(m.map_bump, textures);
+    out.normal_texture = compile_use(m.map_normal, textures);
+    // A constant colour (illum 0) is emitted, so its picture is too.
+    if (m.illum == 0 && out.emission_texture.texture == kernel::NONE) out.emission_texture = out.diffuse_texture;
+    for (const kernel::TextureRef& use : {out.diffuse_texture, out.specular_texture, out.emission_texture,
+                                          out.opacity_texture, out.bump_texture, out.normal_texture})
+        if (use.texture != kernel::NONE) out.flags |= kernel::MATERIAL_TEXTURED;
+    if (m.checker) {
+        out.flags |= kernel::MATERIAL_CHECKER | kernel::MATERIAL_TEXTURED;
+        out.checker_other = to_kernel(m.checker->other);
+        out.checker_cells = {m.checker->cells_u, m.checker->cells_v};
+    }
+}
+
+}  // namespace
+
+kernel::Material compile_material(const scene::Material& m, std::span<const scene::Texture> textures) {
+    kernel::Material out{};
+    out.emission = to_kernel(m.emission);
+    out.ambient = to_kernel(m.ambient.value_or(m.diffuse));
+    out.diffuse = to_kernel(m.diffuse);
+    out.specular = to_kernel(m.specular);
+    out.shininess = m.shininess;
+    out.flags = m.phong_highlight ? kernel::MATERIAL_PHONG : 0;
+
+    const Vec3 transmittance = transmittance_of(m);
+    const bool transparent = !black(transmittance);
+    out.transmittance = to_kernel(transmittance);
+    out.ior = transparent && refracts(m.illum) && m.ior > 0 ? m.ior : 1;
+
+    if (m.illum == 0) {
+        out.emission = to_kernel(m.emission + m.diffuse);
+        out.ambient = out.diffuse = {0, 0, 0};
+    } else if (!transparent && (m.roughness || m.metallic || m.clearcoat)) {
+        set_pbr(m, out);
+    } else if (mirrors(m.illum) && !black(m.specular)) {
+        if (fresnel(m.illum)) out.flags |= kernel::MATERIAL_FRESNEL;
+        const bool shared_by_fresnel = transparent && m.illum == 7;
+        const Vec3 most = shared_by_fresnel ? kWhite : kWhite - transmittance;
+        out.reflectance = to_kernel(min(clamp01(m.specular), most));
+    } else if (transparent && m.illum == 7) {
+        out.flags |= kernel::MATERIAL_FRESNEL;
+    }
+    if (m.illum >= 2 && !black(out.specular) && out.shininess > 0) out.flags |= kernel::MATERIAL_HIGHLIGHT;
+    set_textures(m, textures, out);
+    return out;
+}
+
+std::uint32_t material_features(const kernel::Material& m) {
+    std::uint32_t features = 0;
+    if (m.flags & kernel::MATERIAL_TEXTURED) features |= kernel::FEATURE_TEXTURES;
+    if (m.flags & kernel::MATERIAL_HIGHLIGHT) features |= kernel::FEATURE_HIGHLIGHTS;
+    if (!black(m.reflectance)) features |= kernel::FEATURE_MIRRORS;
+    if (!black(m.transmittance) || m.opacity_texture.texture != kernel::NONE) features |= kernel::FEATURE_TRANSPARENT;
+    if (m.bump_texture.texture != kernel::NONE || m.normal_texture.texture != kernel::NONE)
+        features |= kernel::FEATURE_BUMP;
+    return features;
+}
+
+}  // namespace sundog

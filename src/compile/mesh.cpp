@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/mesh.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+
+#include "compile/convert.h"
+
+namespace sundog {
+namespace {
+
+constexpr std::size_t kBlock = 8192;  // Triangles or vertices that one task takes.
+
+/// A triangle whose normal can't be formed in single precision: no area, or so large or small that its squared
+/// area leaves the range of normal floats.
+bool usable(const scene::Mesh& mesh, const scene::Mesh::Triangle& t) {
+    const Vec3 a = mesh.positions[t.position[0]];
+    const Vec3 n = cross(mesh.positions[t.position[1]] - a, mesh.positions[t.position[2]] - a);
+    const float squared = dot(n, n);
+    return squared >= FLT_MIN && squared <= FLT_MAX;
+}
+
+template <class Body>
+void parallel_blocks(std::size_t count, const Body& body) {
+    const std::size_t blocks = (count + kBlock - 1) / kBlock;
+    tbb::parallel_for(std::size_t{0}, blocks,
+                      [&](std::size_t b) { body(b, b * kBlock, std::min(count, (b + 1) * kBlock)); });
+}
+
+[[noreturn]] void throw_too_large(const scene::Object& object, const char* what) {
+    throw InputError({Severity::error, object.where,
+                      "object '" + object.name + "': the scene holds more " + what + " than 32-bit indices can count",
+                      "", "at most 4294967294 of them are possible"});
+}
+
+/// Where this mesh's entries begin in `array` when `count` more are appended to it.
+template <class T>
+std::uint32_t grow(std::vector<T>& array, std::size_t count, const scene::Object& object, const char* what) {
+    const std::size_t first = array.size();
+    if (first + count >= kernel::NONE) throw_too_large(object, what);
+    array.resize(first + count);
+    return static_cast<std::uint32_t>(first);
+}
+
+kernel::TriangleCorners corners(const std::uint32_t (&index)[3], std::uint32_t first) {
+    if (index[0] == scene::kNone || index[1] == scene::kNone || index[2] == scene::kNone)
+        return {kernel::NONE, kernel::NONE, kernel::NONE};
+    return {first + index[0], first + index[1], first + index[2]};
+}
+
+bool is_zero(const kernel::vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// A vertex normal without a direction can't be used: such triangles are flat.
+kernel::TriangleCorners flat_where_zero(kernel::TriangleCorners c, const std::vector<kernel::vec3>& normals) {
+    if (c.a != kernel::NONE && (is_zero(normals[c.a]) || is_zero(normals[c.b]) || is_zero(normals[c.c])))
+        return {kernel::NONE, kernel::NONE, kernel::NONE};
+    return c;
+}
+
+/// For each block of triangles, the place of its first usable one in the output; the last entry is their number.
+std::vector<std::size_t> output_offsets(const scene::Mesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<std::size_t> offset((count + kBlock - 1) / kBlock + 1);
+    parallel_blocks(count, [&](std::size_t block, std::size_t begin, std::size_t end) {
+        offset[block + 1] =
+            static_cast<std::size_t>(std::count_if(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                   mesh.triangles.begin() + static_cast<std::ptrdiff_t>(end),
+                                                   [&](const scene::Mesh::Triangle& t) { return usable(mesh, t); }));
+    });
+    for (std::size_t i = 1; i < offset.size(); ++i) offset[i] += offset[i - 1];
+    return offset;
+}
+
+void warn_of_dropped(const scene::Object& object, std::size_t dropped, std::size_t total, const WarningSink& warn) {
+    if (dropped == 0 || !warn) return;
+    warn({Severity::warning, object.where,
+          "object '" + object.name + "': " + std::to_string(dropped) + " of " + std::to_string(total) +
+              (total == 1 ? " triangle has" : " triangles have") + " no area and can't be seen; left out",
+          "", ""});
+}
+
+}  // namespace
+
+std::uint32_t append_mesh(const scene::Object& object, const scene::Mesh& mesh, MeshAttributes attributes,
+                          RenderScene& out, const WarningSink& warn) {
+    const std::vector<std::size_t> offset = output_offsets(mesh);
+    const std::size_t kept = offset.back();
+    warn_of_dropped(object, mesh.triangles.size() - kept, mesh.triangles.size(), warn);
+    if (kept == 0) return 0;
+
+    const std::uint32_t first_position = grow(out.positions, mesh.positions.size(), object, "vertices");
+    parallel_blocks(mesh.positions.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) out.positions[first_position + i] = to_kernel(mesh.positions[i]);
+    });
+    std::uint32_t first_normal = 0;
+    std::uint32_t first_uv = 0;
+    if (attributes.normals) {
+        first_normal = grow(out.normals, mesh.normals.size(), object, "normals");
+        parallel_blocks(mesh.normals.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                out.normals[first_normal + i] = to_kernel(normalize(mesh.normals[i]));
+        });
+    }
+    if (attributes.uvs) {
+        first_uv = grow(out.uvs, mesh.texcoords.size(), object, "texture coordinates");
+        parallel_blocks(mesh.texcoords.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) out.uvs[first_uv + i] = to_kernel(mesh.texcoords[i]);
+        });
+    }
+
+    const std::uint32_t first_triangle = grow(out.triangles, kept, object, "triangles");
+    if (attributes.normals) out.triangle_normals.resize(out.triangles.size());
+    if (attributes.uvs) out.triangle_uvs.resize(out.triangles.size());
+    parallel_blocks(mesh.triangles.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+        std::size_t to = first_triangle + offset[block];
+        for (std::size_t i = begin; i < end; ++i) {
+            const scene::Mesh::Triangle& t = mesh.triangles[i];
+            if (!usable(mesh, t)) continue;
+            out.triangles[to] = {first_position + t.position[0], first_position + t.position[1],
+                                 first_position + t.position[2], t.material};
+            if (attributes.normals)
+                out.triangle_normals[to] = flat_where_zero(corners(t.normal, first_normal), out.normals);
+            if (attributes.uvs) out.triangle_uvs[to] = corners(t.texcoord, first_uv);
+            ++to;
+        }
+    });
+    return static_cast<std::uint32_t>(kept);
+}
+
+}  // namespace sundog
