@@ -20,9 +20,9 @@ struct RenderResult {
 
 /// What one pixel sees.
 struct PixelInfo {
-    Vec3 radiance;           ///< Linear RGB at the pixel's centre.
-    float depth = 0;         ///< Distance from the eye; infinite on a miss.
-    Vec3 normal;             ///< World space.
+    Vec3 radiance;    ///< Linear RGB at the pixel's centre.
+    float depth = 0;  ///< Distance from the eye; infinite on a miss.
+    Vec3 normal;      ///< World space.
     std::uint32_t geometry = kernel::NONE, primitive = kernel::NONE, material = kernel::NONE;
 };
 

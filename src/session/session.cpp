@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/session.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/diagnostics.h"
+#include "sampling/passes.h"
+
+namespace sundog {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kBandSeconds = 0.05;  // A band should take about this long: progress shows, overhead doesn't.
+constexpr int kRowUnit = 16;           // Bands are made of whole tiles of the devices.
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Chooses how many rows to render next from how fast the last ones went.
+class BandSizer {
+public:
+    [[nodiscard]] int rows(int width, std::uint32_t samples) const {
+        if (samples_per_second_ <= 0) return 4 * kRowUnit;
+        const double samples_per_row = static_cast<double>(width) * samples;
+        const double rows = samples_per_second_ * kBandSeconds / samples_per_row;
+        return kRowUnit * static_cast<int>(std::clamp(rows / kRowUnit, 1.0, 4096.0));
+    }
+    void measured(double samples, double seconds) { samples_per_second_ = samples / std::max(seconds, 1e-6); }
+
+private:
+    double samples_per_second_ = 0;
+};
+
+double samples_of(const RenderWork& work) {
+    return static_cast<double>(work.region.width()) * work.region.height() * work.sample_count;
+}
+
+}  // namespace
+
+Session::Session(std::unique_ptr<Device> device) : device_(std::move(device)) {}
+
+void Session::load(std::shared_ptr<const RenderScene> scene) {
+    const std::vector<std::string> missing = device_->unsupported(*scene);
+    if (!missing.empty()) {
+        std::string message = device_->info().name + " can't draw this scene";
+        for (const std::string& sentence : missing) message += "\n  " + sentence;
+        throw DeviceError(message);
+    }
+    device_->load(scene);
+    scene_ = std::move(scene);
+}
+
+RenderResult Session::render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress,
+                             const StopFlag& stop) {
+    const PixelRect picture{0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)};
+    RenderResult result{Film(picture, frame.params.aovs), {}, 0, false};
+    const Clock::time_point start = Clock::now();
+    const double total = static_cast<double>(picture.width()) * picture.height() * samples;
+    double done = 0;
+    BandSizer sizer;
+    RenderWork work{picture, 0, 0};
+    while ((work.sample_count = sampling::pass_size(work.first_sample, samples)) > 0) {
+        for (int y = 0; y < picture.y1; y = work.region.y1) {
+            if (stop.requested()) result.stopped = true;
+            if (result.stopped) break;
+            work.region.y0 = y;
+            work.region.y1 = std::min(picture.y1, y + sizer.rows(picture.width(), work.sample_count));
+            const Clock::time_point band_start = Clock::now();
+            const RenderStats stats = device_->render(frame, work, result.film, stop);
+            sizer.measured(samples_of(work), seconds_since(band_start));
+            result.stats.rays += stats.rays;
+            result.stats.shadow_rays += stats.shadow_rays;
+            if (!stats.complete) {
+                result.stopped = true;
+                break;
+            }
+            done += samples_of(work);
+            if (progress) progress({done / total, seconds_since(start), result.stats.rays});
+        }
+        if (result.stopped) break;
+        work.first_sample += work.sample_count;
+    }
+    result.stats.complete = !result.stopped;
+    result.seconds = seconds_since(start);
+    return result;
+}
+
+RenderStats Session::render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,
+                                 const StopFlag& stop) {
+    return device_->render(frame, {film.bounds, first_sample, count}, film, stop);
+}
+
+PixelInfo Session::pick(const Frame& frame, int x, int y) {
+    Frame all = frame;
+    all.params.aovs = kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_OBJECT;
+    Film film({x, y, x + 1, y + 1}, all.params.aovs);
+    device_->render(all, {film.bounds, 0, 1}, film, StopFlag{});
+    return {film.mean(x, y), film.depth[0], film.normal[0], film.object[0], film.primitive[0], film.material[0]};
+}
+
+}  // namespace sundog
