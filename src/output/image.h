@@ -24,7 +24,8 @@ struct Image {
     [[nodiscard]] const Vec3& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
 };
 
-/// A further plane of an EXR file: channels "name.R" and so on, or "name" for a single one.
+/// A further plane of an EXR file, in channels "name.channel" (just "name" where the channel's name is empty).
+/// Channels called "id" are written as 32-bit unsigned integers (negative and NaN become 0), others as 32-bit floats.
 struct Layer {
     std::string name;                    ///< "depth", "normal", "albedo", "object", "samples", "cost"
     std::vector<std::string> channels;   ///< {"Z"}, {"X","Y","Z"}, {"R","G","B"}, {"id"}
@@ -39,24 +40,33 @@ Format format_of(const std::filesystem::path& file);
 /// 8-bit sRGB of linear RGB (IEC 61966-2-1), clamped, rounded, 3 bytes a pixel; NaN becomes black.
 std::vector<std::uint8_t> to_srgb8(const Image& image);
 
-/// The file's bytes. Layers are only kept by EXR.
+/// The file's bytes. PNG, JPEG (quality 95, no chroma subsampling) and PPM hold 8-bit sRGB, Radiance HDR and EXR
+/// (32-bit float) linear RGB. Layers are only kept by EXR.
+/// Errors: OutputError (a picture without pixels, or too large for the format, or a layer of another size).
 std::string encode(const Image& image, Format format, const std::vector<Layer>& layers = {});
 
-/// Writes a picture beside its place and renames it, so that the file is whole or untouched; "-" is standard output
-/// (PNG unless format says otherwise). Errors: OutputError.
+/// Writes a picture beside its place and renames it, so that the file is whole or untouched. "-" is standard output;
+/// it and special files (devices, pipes) are written to directly, as PNG where their name has no known ending.
+/// Errors: OutputError naming the file and the reason.
 void write_image(const std::filesystem::path& file, const Image& image, const std::vector<Layer>& layers = {});
 
-/// Reads .png .jpg .exr .hdr .ppm into linear RGB (8-bit formats are decoded as sRGB). Errors: InputError.
+/// Reads a PNG, JPEG, EXR, Radiance HDR, PBM-family (P2 P3 P5 P6), BMP, GIF (first frame) or TGA file into linear RGB;
+/// integer formats are decoded as sRGB, alpha is dropped. The format is told by content, not by the file's ending.
+/// Errors: InputError, also for files that are no regular file, damaged or cut off, have more than a gigapixel, or
+/// would take over 4 GiB decoded.
 Image read_image(const std::filesystem::path& file);
 
-/// 8-bit RGBA of a texture file of any format we read, as stored (not linearised): 0xAABBGGRR. Errors: InputError.
+/// 8-bit RGBA pixels, each 0xAABBGGRR, row 0 at the top.
 struct Rgba8 {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint32_t> pixels;
 };
+/// Reads a texture of any format that read_image reads, as stored (not linearised; EXR and HDR are encoded as sRGB).
+/// Errors: as read_image.
 Rgba8 read_rgba8(const std::filesystem::path& file);
 
-/// Writes `bytes` to a new file beside `file`, then renames it over `file`. Errors: OutputError; `file` stays as it was.
+/// Writes `bytes` to a new file beside `file`, then renames it over `file` (over what it points to, if it is a symbolic
+/// link). Special files are written to directly. Errors: OutputError; a regular `file` then stays as it was.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace sundog::output

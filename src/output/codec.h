@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the writers and readers of the picture formats share; of no use outside this folder.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "output/image.h"
+
+namespace sundog::output {
+
+static_assert(std::endian::native == std::endian::little, "Rgba8's bytes are R, G, B, A in memory");
+
+using Bytes = std::span<const unsigned char>;
+
+/// Why a file is no picture; read_image() and read_rgba8() add the file's name.
+class DecodeError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// A decoded picture; one of the three vectors holds the pixels.
+struct Decoded {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint32_t> rgba8;   ///< As stored, 0xAABBGGRR.
+    std::vector<std::uint16_t> rgba16;  ///< As stored, four numbers a pixel.
+    std::vector<Vec3> linear;           ///< Linear RGB.
+};
+
+/// Throws DecodeError unless a picture of this size has pixels, at most a gigapixel of them, and fits 4 GiB at
+/// `bytes_per_pixel`.
+void check_size(std::uint64_t width, std::uint64_t height, std::size_t bytes_per_pixel);
+
+/// Makes `values` longer. Memory follows what has been decoded, in doublings up to `total`, so that a file that lies
+/// about its size costs no more than its own bytes can fill.
+template <typename T>
+void grow(std::vector<T>& values, std::size_t size, std::size_t total) {
+    if (values.capacity() < size) values.reserve(std::min(total, std::max(size, 2 * values.capacity())));
+    values.resize(size);
+}
+
+// Each format's pair. Encoders get a picture that has pixels, and throw OutputError; decoders throw DecodeError.
+// `bytes_per_pixel` is what the caller will need in the end, for check_size().
+std::string encode_png(const Image& image);
+Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel);
+
+}  // namespace sundog::output

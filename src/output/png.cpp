@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// PNG through libpng. Its errors leave by longjmp: the functions that call setjmp own nothing.
+#include <png.h>
+
+#include <csetjmp>
+#include <cstring>
+
+#include "base/diagnostics.h"
+#include "output/codec.h"
+#include "output/srgb.h"
+
+namespace sundog::output {
+namespace {
+
+// Deflate can't shrink data by more than this factor (RFC 1951: 258 bytes from a 2-bit code at best).
+constexpr std::uint64_t kBestDeflateRatio = 1032;
+
+struct ErrorText {
+    char text[200] = "";
+};
+
+[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+    auto* error = static_cast<ErrorText*>(png_get_error_ptr(png));
+    std::strncpy(error->text, message, sizeof(error->text) - 1);
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+struct Writer {
+    ErrorText error;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &error, on_error, on_warning);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    std::string bytes;
+
+    Writer() = default;
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+};
+
+void append_bytes(png_structp png, png_bytep data, std::size_t size) {
+    bool appended = false;
+    try {
+        static_cast<Writer*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(data), size);
+        appended = true;
+    } catch (const std::bad_alloc&) {
+        // An exception may not pass through libpng; its own way out is below.
+    }
+    if (!appended) png_error(png, "out of memory");
+}
+
+void flush_nothing(png_structp) {}
+
+bool write_rows(Writer& writer, png_uint_32 width, png_uint_32 height, const std::uint8_t* codes) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
+    png_set_write_fn(writer.png, &writer, append_bytes, flush_nothing);
+    png_set_IHDR(writer.png, writer.info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_compression_level(writer.png, 4);
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
+    png_write_info(writer.png, writer.info);
+    for (png_uint_32 y = 0; y < height; ++y) png_write_row(writer.png, codes + std::size_t{3} * width * y);
+    png_write_end(writer.png, nullptr);
+    return true;
+}
+
+struct Reader {
+    explicit Reader(Bytes bytes) : left(bytes) {}
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+    ErrorText error;
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &error, on_error, on_warning);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    Bytes left;
+    png_uint_32 width = 0, height = 0;
+    int passes = 1;
+    bool deep = false;  // 16 bits a channel
+    bool opaque = false;
+};
+
+void take_bytes(png_structp png, png_bytep data, std::size_t size) {
+    auto* reader = static_cast<Reader*>(png_get_io_ptr(png));
+    if (size > reader->left.size()) png_error(png, "the file is cut off");
+    std::memcpy(data, reader->left.data(), size);
+    reader->left = reader->left.subspan(size);
+}
+
+bool read_header(Reader& reader) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_set_read_fn(reader.png, &reader, take_bytes);
+    png_read_info(reader.png, reader.info);
+    reader.width = png_get_image_width(reader.png, reader.info);
+    reader.height = png_get_image_height(reader.png, reader.info);
+    reader.deep = png_get_bit_depth(reader.png, reader.info) == 16;
+    return true;
+}
+
+/// Asks libpng for RGBA with 8 or 16 bits a channel.
+bool prepare_rows(Reader& reader) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_set_expand(reader.png);
+    png_set_gray_to_rgb(reader.png);
+    png_set_add_alpha(reader.png, 0xFFFF, PNG_FILLER_AFTER);
+    if (reader.deep) png_set_swap(reader.png);
+    reader.passes = png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    if (png_get_rowbytes(reader.png, reader.info) != std::size_t{reader.width} * (reader.deep ? 8 : 4))
+        png_error(reader.png, "rows of an unexpected length");
+    return true;
+}
+
+bool read_row(Reader& reader, png_bytep row) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_read_row(reader.png, row, nullptr);
+    return true;
+}
+
+bool read_end(Reader& reader) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_read_end(reader.png, nullptr);
+    return true;
+}
+
+void require(bool done, const Reader& reader) {
+    if (!done) throw DecodeError(std::string("damaged PNG: ") + reader.error.text);
+}
+
+template <typename T>
+void read_pixels(Reader& reader, std::vector<T>& values, std::size_t values_per_row) {
+    for (int pass = 0; pass < reader.passes; ++pass) {
+        for (std::size_t y = 0; y < reader.height; ++y) {
+            if (pass == 0) grow(values, (y + 1) * values_per_row, reader.height * values_per_row);
+            require(read_row(reader, reinterpret_cast<png_bytep>(values.data() + y * values_per_row)), reader);
+        }
+    }
+}
+
+}  // namespace
+
+std::string encode_png(const Image& image) {
+    const std::vector<std::uint8_t> codes = to_srgb8(image);
+    Writer writer;
+    if (writer.info == nullptr) throw std::bad_alloc();
+    if (!write_rows(writer, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                    codes.data()))
+        throw OutputError(std::string("can't encode a PNG: ") + writer.error.text);
+    return std::move(writer.bytes);
+}
+
+Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel) {
+    Reader reader(bytes);
+    if (reader.info == nullptr) throw std::bad_alloc();
+    require(read_header(reader), reader);
+    check_size(reader.width, reader.height, std::max<std::size_t>(bytes_per_pixel, reader.deep ? 8 : 4));
+    // At least one bit a pixel before compression.
+    const std::uint64_t smallest_row = (std::uint64_t{reader.width} + 7) / 8;
+    if (smallest_row * reader.height / kBestDeflateRatio > bytes.size())
+        throw DecodeError("damaged PNG: the file is too small for a picture of " + std::to_string(reader.width) + "x" +
+                          std::to_string(reader.height));
+    require(prepare_rows(reader), reader);
+    Decoded decoded;
+    decoded.width = reader.width;
+    decoded.height = reader.height;
+    if (reader.deep) read_pixels(reader, decoded.rgba16, std::size_t{4} * reader.width);
+    else read_pixels(reader, decoded.rgba8, std::size_t{reader.width});
+    require(read_end(reader), reader);
+    return decoded;
+}
+
+}  // namespace sundog::output

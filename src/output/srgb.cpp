@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "output/srgb.h"
+
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace sundog::output {
+namespace {
+
+// A float in [2^-13, 1) is told apart by its exponent and the upper 7 bits of its mantissa: 13 * 128 bins, each
+// narrower than the step between two codes, so that at most one code begins inside a bin.
+constexpr int kLowBits = 16;
+constexpr std::uint32_t kLowMask = (1U << kLowBits) - 1;
+constexpr float kSmallest = 0x1p-13F;       // Its code is 0 (12.92 * 255 * 2^-13 < 0.5).
+constexpr float kLargest = 0x1.fffffep-1F;  // Its code is 255.
+constexpr std::uint32_t kFirstBin = std::bit_cast<std::uint32_t>(kSmallest) >> kLowBits;
+constexpr std::uint32_t kBinCount = (std::bit_cast<std::uint32_t>(kLargest) >> kLowBits) - kFirstBin + 1;
+
+int code_of(float linear) { return static_cast<int>(std::floor(srgb_from_linear(linear) * 255 + 0.5)); }
+
+/// For each bin: (code at its start << 16) + (65536 - low bits of the first value with the next code, if it has one).
+/// Adding a value's low bits carries into the code exactly when the value has reached the next code.
+std::array<std::uint32_t, kBinCount> make_bins() {
+    std::array<std::uint32_t, kBinCount> bins{};
+    for (std::uint32_t bin = 0; bin < kBinCount; ++bin) {
+        const std::uint32_t start = (kFirstBin + bin) << kLowBits;
+        const auto code_at = [&](std::uint32_t low) { return code_of(std::bit_cast<float>(start + low)); };
+        const int code = code_at(0);
+        bins[bin] = static_cast<std::uint32_t>(code) << kLowBits;
+        if (code_at(kLowMask) == code) continue;
+        std::uint32_t below = 0, at_or_above = kLowMask;
+        while (at_or_above - below > 1) {
+            const std::uint32_t middle = (below + at_or_above) / 2;
+            (code_at(middle) == code ? below : at_or_above) = middle;
+        }
+        bins[bin] += (1U << kLowBits) - at_or_above;
+    }
+    return bins;
+}
+
+}  // namespace
+
+double srgb_from_linear(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double linear_from_srgb(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
+
+const std::array<float, 256>& linear_of_srgb8() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> linear{};
+        for (std::size_t code = 0; code < linear.size(); ++code)
+            linear[code] = static_cast<float>(linear_from_srgb(static_cast<double>(code) / 255));
+        return linear;
+    }();
+    return table;
+}
+
+void encode_srgb8(std::span<const Vec3> linear, std::span<std::uint8_t> codes) {
+    if (codes.size() / 3 < linear.size()) throw std::invalid_argument("encode_srgb8: too few bytes for the codes");
+    static const std::array<std::uint32_t, kBinCount> bins = make_bins();
+    const auto encode_one = [table = bins.data()](float value) {
+        // The comparisons' order sends NaN to kSmallest.
+        const float at_least = value > kSmallest ? value : kSmallest;
+        const float clamped = at_least < kLargest ? at_least : kLargest;
+        const auto bits = std::bit_cast<std::uint32_t>(clamped);
+        return static_cast<std::uint8_t>((table[(bits >> kLowBits) - kFirstBin] + (bits & kLowMask)) >> kLowBits);
+    };
+    std::uint8_t* out = codes.data();
+    for (const Vec3& pixel : linear) {
+        out[0] = encode_one(pixel.x);
+        out[1] = encode_one(pixel.y);
+        out[2] = encode_one(pixel.z);
+        out += 3;
+    }
+}
+
+}  // namespace sundog::output
