@@ -24,11 +24,12 @@ KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
 
 /// Material::flags.
-KERNEL_CONST uint MATERIAL_PHONG = 1u;        ///< Highlight by Phong's mirrored ray; else Blinn's halfway vector.
-KERNEL_CONST uint MATERIAL_FRESNEL = 2u;      ///< Dielectric Fresnel splits reflectance and transmittance.
-KERNEL_CONST uint MATERIAL_CHECKER = 4u;      ///< Diffuse alternates with checker_other on UVs.
-KERNEL_CONST uint MATERIAL_HIGHLIGHT = 8u;    ///< specular is not black.
-KERNEL_CONST uint MATERIAL_TEXTURED = 16u;    ///< Any *_texture is set, or checker.
+KERNEL_CONST uint MATERIAL_PHONG = 1u;         ///< Highlight by Phong's mirrored ray; else Blinn's halfway vector.
+KERNEL_CONST uint MATERIAL_FRESNEL = 2u;       ///< Dielectric Fresnel splits reflectance and transmittance.
+KERNEL_CONST uint MATERIAL_CHECKER = 4u;       ///< Diffuse alternates with checker_other on UVs.
+KERNEL_CONST uint MATERIAL_HIGHLIGHT = 8u;     ///< specular is not black.
+KERNEL_CONST uint MATERIAL_TEXTURED = 16u;     ///< Any *_texture is set, or checker.
+KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, or opacity_texture is set: never culled.
 
 /// TextureInfo::flags.
 KERNEL_CONST uint TEXTURE_SRGB = 1u;
@@ -38,19 +39,22 @@ KERNEL_CONST uint TEXTURE_CLAMP = 1u;
 KERNEL_CONST uint TEXTURE_CHANNEL_SHIFT = 1u;
 
 /// FrameParams::features: what this scene and frame need; the rest costs nothing.
-KERNEL_CONST uint FEATURE_SMOOTH = 1u;        ///< Some triangle has vertex normals.
-KERNEL_CONST uint FEATURE_TEXTURES = 2u;      ///< Some material is textured (uvs are valid).
+KERNEL_CONST uint FEATURE_SMOOTH = 1u;    ///< Some triangle has vertex normals.
+KERNEL_CONST uint FEATURE_TEXTURES = 2u;  ///< Some material is textured (uvs are valid).
 KERNEL_CONST uint FEATURE_SHADOWS = 4u;
 KERNEL_CONST uint FEATURE_MIRRORS = 8u;       ///< Some material reflects.
 KERNEL_CONST uint FEATURE_TRANSPARENT = 16u;  ///< Some material transmits.
 KERNEL_CONST uint FEATURE_HIGHLIGHTS = 32u;
-KERNEL_CONST uint FEATURE_ANALYTIC = 64u;     ///< Some sphere, box or plane.
-KERNEL_CONST uint FEATURE_INSTANCES = 128u;   ///< Some geometry moves.
-KERNEL_CONST uint FEATURE_CULL = 256u;        ///< Back faces of opaque materials are not there.
-KERNEL_CONST uint FEATURE_BUMP = 512u;        ///< Some material has a bump or normal map.
+KERNEL_CONST uint FEATURE_ANALYTIC = 64u;    ///< Some sphere, box or plane.
+KERNEL_CONST uint FEATURE_INSTANCES = 128u;  ///< Some geometry moves.
+KERNEL_CONST uint FEATURE_CULL = 256u;       ///< Back faces of opaque materials are not there.
+KERNEL_CONST uint FEATURE_BUMP = 512u;       ///< Some material has a bump or normal map.
 
 /// Most surfaces at which a path may both reflect and refract before the weaker branch is dropped.
 KERNEL_CONST uint MAX_BRANCHES = 16u;
+
+/// Transparent surfaces that a shadow ray passes at most; what lies behind more of them is in shadow.
+KERNEL_CONST uint MAX_SHADOW_SURFACES = 32u;
 
 struct Triangle {
     uint p0, p1, p2;  ///< Indices into positions.
@@ -86,7 +90,7 @@ struct Geometry {
     uint kind;             ///< GEOMETRY_*
     uint first_primitive;  ///< Into triangles, spheres, boxes or planes.
     uint primitive_count;
-    uint instance;         ///< Into instances; NONE where primitives are in world space.
+    uint instance;  ///< Into instances; NONE where primitives are in world space.
 };
 
 /// World placement of a moving geometry in this frame. Columns and translation of affine maps.
@@ -114,9 +118,9 @@ struct TextureInfo {
 /// A surface for Whitted tracing, all colours linear RGB. Weights obey reflectance + transmittance <= 1 per channel.
 struct Material {
     vec3 emission;
-    vec3 ambient;        ///< Times FrameParams::ambient.
+    vec3 ambient;  ///< Times FrameParams::ambient.
     vec3 diffuse;
-    vec3 specular;       ///< Colour of the highlight.
+    vec3 specular;  ///< Colour of the highlight.
     float shininess;
     vec3 reflectance;    ///< Mirror weight at normal incidence (times Fresnel when MATERIAL_FRESNEL).
     vec3 transmittance;  ///< Weight of the ray that passes through; 0 for opaque.
@@ -149,22 +153,22 @@ struct FrameParams {
     vec3 ambient;
     vec3 sky;
     uint width, height;
-    uint max_depth;     ///< Secondary rays on a path at most; 0: what the eye sees directly.
-    float min_weight;   ///< A secondary ray of less weight (its largest channel) is not traced.
-    float far_z;        ///< Far clip depth along the view axis; infinite for none.
+    uint max_depth;    ///< Secondary rays on a path at most; 0: what the eye sees directly.
+    float min_weight;  ///< A secondary ray of less weight (its largest channel) is not traced.
+    float far_z;       ///< Far clip depth along the view axis; infinite for none.
     uint light_count;
     uint plane_count;
-    uint features;      ///< FEATURE_* bits
-    uint aovs;          ///< AOV_* bits wanted
+    uint features;  ///< FEATURE_* bits
+    uint aovs;      ///< AOV_* bits wanted
     uint seed;
 };
 
 /// FrameParams::aovs, and Film's planes.
-KERNEL_CONST uint AOV_DEPTH = 1u;      ///< Distance along the ray from the eye; infinite on a miss.
-KERNEL_CONST uint AOV_NORMAL = 2u;     ///< World-space shading normal, towards the viewer.
-KERNEL_CONST uint AOV_ALBEDO = 4u;     ///< Diffuse colour after textures.
-KERNEL_CONST uint AOV_OBJECT = 8u;     ///< Geometry index (NONE on a miss), primitive and material.
-KERNEL_CONST uint AOV_COST = 16u;      ///< Rays traced for the pixel.
+KERNEL_CONST uint AOV_DEPTH = 1u;   ///< Distance along the ray from the eye; infinite on a miss.
+KERNEL_CONST uint AOV_NORMAL = 2u;  ///< World-space shading normal, towards the viewer.
+KERNEL_CONST uint AOV_ALBEDO = 4u;  ///< Diffuse colour after textures.
+KERNEL_CONST uint AOV_OBJECT = 8u;  ///< Geometry index (NONE on a miss), primitive and material.
+KERNEL_CONST uint AOV_COST = 16u;   ///< Rays traced for the pixel.
 
 #ifdef __cplusplus
 }  // namespace sundog::kernel

@@ -3,6 +3,7 @@
 // GLSL's scalar block layout (a vec3 is 12 bytes, aligned to 4), so both sides read the same bytes.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 
 namespace sundog::kernel {
@@ -15,7 +16,7 @@ struct Vec2T {
     Vec2T() = default;
     constexpr Vec2T(T x_, T y_) : x(x_), y(y_) {}
     constexpr explicit Vec2T(T s) : x(s), y(s) {}
-    template <class U>
+    template <std::convertible_to<T> U>
     constexpr Vec2T(const Vec2T<U>& v) : x(v.x), y(v.y) {}
 };
 
@@ -25,7 +26,7 @@ struct Vec3T {
     Vec3T() = default;
     constexpr Vec3T(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
     constexpr explicit Vec3T(T s) : x(s), y(s), z(s) {}
-    template <class U>
+    template <std::convertible_to<T> U>
     constexpr Vec3T(const Vec3T<U>& v) : x(v.x), y(v.y), z(v.z) {}
 };
 

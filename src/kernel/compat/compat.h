@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The language that kernel headers are written in: the subset that C++20 and GLSL 4.60 share, over lanes.
+//
+// Varying values (one per ray) have the types real, real2, real3, word (32 bits, unsigned) and mask; the C++ side
+// compiles them for 1, 4, 8 or 16 rays at a time (SUNDOG_KERNEL_LANES), GLSL for one. Uniform values (the same for all
+// rays: lights, frame parameters, loop counters) are float, vec2, vec3, uint and int; they widen by themselves.
+// - Branch on varying values with select(mask, a, b); `if` and loops take uniform conditions, any_lane(mask) among
+// them.
+// - mask_and, mask_or, mask_not combine masks.
+// - FN starts a function; OUT(T), INOUT(T) its output parameters.
+// - SCENE is a function's first parameter where it reads the scene, SCENE_ the argument that passes it on.
+// - AT(array, i): element at a uniform index. FIELD(array, i, field), GET(array, i): at a varying one, which must be
+//   valid in every lane, active or not.
+// - FRAME.x: a frame parameter. FEATURE(bits): whether the scene needs any of these FEATURE_* bits.
+// - Float literals end in f. No references, pointers, recursion, templates, default arguments.
+#ifdef __cplusplus
+#include "kernel/compat/cpp.h"
+#else
+#include "kernel/compat/glsl.h"
+#endif

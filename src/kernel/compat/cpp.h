@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit; everything that
+// depends on it lives in an inline namespace of its own, so units of different widths can be linked together.
+#ifndef SUNDOG_KERNEL_COMPAT_CPP_H
+#define SUNDOG_KERNEL_COMPAT_CPP_H
+
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+#include "kernel/shared.h"
+
+#ifndef SUNDOG_KERNEL_LANES
+#define SUNDOG_KERNEL_LANES 1
+#endif
+
+#define SUNDOG_KERNEL_PASTE_(a, b) a##b
+#define SUNDOG_KERNEL_PASTE(a, b) SUNDOG_KERNEL_PASTE_(a, b)
+#define KERNEL_BEGIN           \
+    namespace sundog::kernel { \
+    inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
+#define KERNEL_END \
+    }              \
+    }
+
+#define FN [[gnu::always_inline]] inline
+#define OUT(T) T&
+#define INOUT(T) T&
+#define SCENE const SceneView &scene,
+#define SCENE_ scene,
+#define FRAME scene.frame
+#define FEATURE(bits) ((scene.frame.features & (bits)) != 0u)
+#define AT(array, i) scene.array[i]
+#define FIELD(array, i, field) load(&scene.array[0].field, sizeof(scene.array[0]), i)
+#define GET(array, i) load(&scene.array[0], sizeof(scene.array[0]), i)
+
+namespace sundog::kernel {
+
+/// What the kernel sees of a RenderScene and a Frame: plain pointers to every array (kernel/arrays.h).
+struct SceneView {
+    FrameParams frame;
+#define KERNEL_ARRAY(type, name, binding) const type* name;
+#include "kernel/arrays.h"
+#undef KERNEL_ARRAY
+    const void* traversal;  ///< The device's own; the kernel never looks inside.
+};
+
+}  // namespace sundog::kernel
+
+#if SUNDOG_KERNEL_LANES == 1
+#include "kernel/compat/scalar.h"
+#else
+#include "kernel/compat/lanes.h"
+#endif
+#include "kernel/compat/vectors.h"
+
+#endif

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whitted's ray tracing (An Improved Illumination Model for Shaded Display, CACM 1980), iterative.
+//
+// Before including this header the device defines, in the kernel's namespace:
+//   Hit trace_closest(SCENE Ray ray, mask alive, bool from_eye)   nearest hit in (t_min, t_max); geometry NONE on a
+//   miss mask trace_any(SCENE Ray ray, mask alive)                     true where anything opaque or not lies in
+//   (t_min, t_max)
+// from_eye tells that these are the primary rays of neighbouring pixels. Lanes that aren't alive may return anything.
+#ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
+#define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
+
+#include "kernel/lights/light.h"
+#include "kernel/lights/shadow.h"
+#include "kernel/materials/bump.h"
+#include "kernel/materials/material.h"
+
+KERNEL_BEGIN
+
+/// A ray still to be followed, and how much of its radiance counts.
+struct PathState {
+    Ray ray;
+    real3 weight;
+    word depth;  ///< Surfaces before it on its path.
+    mask alive;
+};
+
+/// What the primary ray found, for AOVs.
+struct FirstHit {
+    real t;
+    real3 normal;
+    real3 albedo;
+    word geometry, primitive, material;
+};
+
+/// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
+FN void direct_light(SCENE Surface s, Lobes lobes, real3 to_eye, mask alive, INOUT(RayCounts) counts, OUT(real3) base,
+                     OUT(real3) highlight) {
+    base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
+    highlight = real3(real(0.0f));
+    for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
+        Light light = AT(lights, i);
+        real distance;
+        real3 to_light = direction_to_light(light, s.position, distance);
+        real cosine = dot(s.normal, to_light);
+        // No shadow ray where the light is behind the surface: behind the face, or behind the smoothed one.
+        mask lit = mask_and(alive, mask_and(cosine > real(0.0f), dot(s.geometric_normal, to_light) > real(0.0f)));
+        if (any_lane(lit)) {
+            real3 light_color = real3(light.color);
+            if (FEATURE(FEATURE_SHADOWS)) {
+                if (light.casts_shadows != 0u) {
+                    Ray shadow;
+                    shadow.origin = s.position + s.geometric_normal * s.error;
+                    shadow.direction = to_light;
+                    shadow.t_min = real(0.0f);
+                    shadow.t_max = distance;
+                    light_color = light_color * shadow_transmittance(SCENE_ shadow, lit, counts);
+                }
+            }
+            light_color = select(lit, light_color, real3(real(0.0f)));
+            base = base + lobes.diffuse * light_color * cosine;
+            if (FEATURE(FEATURE_HIGHLIGHTS)) {
+                real blinn = blinn_phong_highlight(s.normal, to_light, to_eye, lobes.shininess);
+                if (any_lane(lobes.phong)) {
+                    blinn = select(lobes.phong, phong_highlight(s.normal, to_light, to_eye, lobes.shininess), blinn);
+                }
+                highlight = highlight + lobes.specular * light_color * blinn;
+            }
+        }
+    }
+}
+
+/// Radiance that comes back along `ray` in the lanes of `alive` (0 in others).
+///
+/// On a chain of mirrors with reflectances r_j and own colours c_j the sum is c_0 R_0 + r_0 c_1 R_1 + r_0 r_1 c_2 R_2 +
+/// … with R_j = 1 - r_j, but R = 1 for the last: a surface whose secondary ray isn't followed (FrameParams::max_depth
+/// or min_weight) counts whole, as if it were no mirror. Where a surface both reflects and refracts, the refracted ray
+/// waits on a stack of MAX_BRANCHES entries; when that is full, only the stronger of the two is followed. Highlights
+/// sit on the surface: transparency doesn't thin them.
+FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+    real3 black = real3(real(0.0f));
+    real3 radiance = black;
+    PathState waiting[MAX_BRANCHES];
+    uint waiting_count = 0u;
+    PathState path;
+    path.ray = ray;
+    path.weight = real3(real(1.0f));
+    path.depth = word(0u);
+    path.alive = alive;
+    first.t = real(3.0e38f);
+    first.normal = black;
+    first.albedo = black;
+    first.geometry = word(NONE);
+    first.primitive = word(NONE);
+    first.material = word(NONE);
+    bool is_first = true;
+    while (true) {
+        counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
+        Hit hit = trace_closest(SCENE_ path.ray, path.alive, is_first);
+        mask found = mask_and(path.alive, hit.geometry != word(NONE));
+        mask missed = mask_and(path.alive, hit.geometry == word(NONE));
+        radiance = radiance + select(missed, path.weight * real3(FRAME.sky), black);
+        mask follow = mask_and(found, mask_not(found));
+        if (any_lane(found)) {
+            Surface s = surface_at(SCENE_ path.ray, hit, found);
+            if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
+            Lobes lobes = evaluate_material(SCENE_ s, path.ray.direction);
+            real3 base;
+            real3 highlight;
+            direct_light(SCENE_ s, lobes, -path.ray.direction, found, counts, base, highlight);
+            if (is_first) {
+                first.t = select(found, hit.t, first.t);
+                first.normal = select(found, s.normal, black);
+                first.albedo = select(found, lobes.diffuse, black);
+                first.geometry = select(found, s.geometry, word(NONE));
+                first.primitive = select(found, s.primitive, word(NONE));
+                first.material = select(found, s.material, word(NONE));
+            }
+            if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
+                mask deeper = mask_and(found, path.depth < word(FRAME.max_depth));
+                real3 reflected = path.weight * lobes.reflectance;
+                real3 transmitted = path.weight * lobes.transmittance;
+                real reflected_most = max(reflected.x, max(reflected.y, reflected.z));
+                real transmitted_most = max(transmitted.x, max(transmitted.y, transmitted.z));
+                mask reflects =
+                    mask_and(mask_and(deeper, reflected_most > real(0.0f)), reflected_most >= real(FRAME.min_weight));
+                mask transmits = mask_and(mask_and(deeper, transmitted_most > real(0.0f)),
+                                          transmitted_most >= real(FRAME.min_weight));
+                mask both = mask_and(reflects, transmits);
+                if (waiting_count == MAX_BRANCHES) {
+                    mask drop_reflected = mask_and(both, reflected_most < transmitted_most);
+                    mask drop_transmitted = mask_and(both, mask_not(drop_reflected));
+                    reflects = mask_and(reflects, mask_not(drop_reflected));
+                    transmits = mask_and(transmits, mask_not(drop_transmitted));
+                    both = mask_and(both, mask_not(both));
+                }
+                real3 r = select(reflects, lobes.reflectance, black);
+                real3 t = select(transmits, lobes.transmittance, black);
+                real3 one = real3(real(1.0f));
+                real3 own = base * max(one - r - t, black) + highlight * (one - r);
+                radiance = radiance + select(found, path.weight * own, black);
+
+                path.depth = path.depth + word(1u);
+                real3 incoming = path.ray.direction;
+                real3 reflected_direction = mirror_direction(incoming, s.normal);
+                // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
+                real into = dot(reflected_direction, s.geometric_normal);
+                real3 lifted = reflected_direction - s.geometric_normal * (2.0f * into);
+                reflected_direction = select(into < real(0.0f), lifted, reflected_direction);
+                Ray next;
+                next.t_min = real(0.0f);
+                next.t_max = real(3.0e38f);
+                next.origin = s.position + s.geometric_normal * s.error;
+                next.direction = reflected_direction;
+                if (FEATURE(FEATURE_TRANSPARENT)) {
+                    if (any_lane(transmits)) {
+                        real3 refracted_direction;
+                        mask passes = refract_direction(incoming, s.normal, lobes.eta, refracted_direction);
+                        // Straight on where eta is 1, to the last bit, and where rounding says "total" but Fresnel did
+                        // not.
+                        mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
+                        refracted_direction = select(bends, normalize(refracted_direction), incoming);
+                        real3 behind = s.position - s.geometric_normal * s.error;
+                        if (any_lane(both)) {
+                            PathState branch;
+                            branch.ray.origin = behind;
+                            branch.ray.direction = refracted_direction;
+                            branch.ray.t_min = real(0.0f);
+                            branch.ray.t_max = real(3.0e38f);
+                            branch.weight = transmitted;
+                            branch.depth = path.depth;
+                            branch.alive = both;
+                            waiting[waiting_count] = branch;
+                            waiting_count = waiting_count + 1u;
+                        }
+                        next.origin = select(reflects, next.origin, behind);
+                        next.direction = select(reflects, next.direction, refracted_direction);
+                    }
+                }
+                path.weight = select(reflects, reflected, transmitted);
+                path.ray = next;
+                follow = mask_or(reflects, transmits);
+            } else {
+                radiance = radiance + select(found, path.weight * (base + highlight), black);
+            }
+        }
+        path.alive = follow;
+        is_first = false;
+        if (!any_lane(follow)) {
+            if (waiting_count == 0u) break;
+            waiting_count = waiting_count - 1u;
+            path = waiting[waiting_count];
+        }
+    }
+    return radiance;
+}
+
+KERNEL_END
+
+#endif

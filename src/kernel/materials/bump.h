@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bump maps (Blinn 1978) and tangent-space normal maps on triangles.
+#ifndef SUNDOG_KERNEL_MATERIALS_BUMP_H
+#define SUNDOG_KERNEL_MATERIALS_BUMP_H
+
+#include "kernel/materials/surface.h"
+#include "kernel/patterns/texture.h"
+
+KERNEL_BEGIN
+
+/// World-space change of position per unit of u (dp_du) and v of a triangle, zero where its uvs are degenerate.
+FN mask triangle_tangents(SCENE Surface s, OUT(real3) dp_du, OUT(real3) dp_dv) {
+    word kind = FIELD(geometries, s.geometry, kind);
+    mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
+    word triangle = select(is_triangle, s.primitive, word(0u));
+    word a = FIELD(triangle_uvs, triangle, a);
+    mask present = mask_and(is_triangle, a != word(NONE));
+    real2 uv_a = GET(uvs, select(present, a, word(0u)));
+    real2 uv_1 = GET(uvs, select(present, FIELD(triangle_uvs, triangle, b), word(0u))) - uv_a;
+    real2 uv_2 = GET(uvs, select(present, FIELD(triangle_uvs, triangle, c), word(0u))) - uv_a;
+    real3 p_a = GET(positions, FIELD(triangles, triangle, p0));
+    real3 e1 = GET(positions, FIELD(triangles, triangle, p1)) - p_a;
+    real3 e2 = GET(positions, FIELD(triangles, triangle, p2)) - p_a;
+    real determinant = uv_1.x * uv_2.y - uv_1.y * uv_2.x;
+    mask usable = mask_and(present, abs(determinant) > real(1e-20f));
+    real inverse = 1.0f / select(usable, determinant, real(1.0f));
+    dp_du = (e1 * uv_2.y - e2 * uv_1.y) * inverse;
+    dp_dv = (e2 * uv_1.x - e1 * uv_2.x) * inverse;
+    word instance = FIELD(geometries, s.geometry, instance);
+    mask moved = instance != word(NONE);
+    if (any_lane(moved)) {
+        word i = select(moved, instance, word(0u));
+        real3 x = FIELD(instances, i, world_from_object_x);
+        real3 y = FIELD(instances, i, world_from_object_y);
+        real3 z = FIELD(instances, i, world_from_object_z);
+        dp_du = select(moved, x * dp_du.x + y * dp_du.y + z * dp_du.z, dp_du);
+        dp_dv = select(moved, x * dp_dv.x + y * dp_dv.y + z * dp_dv.z, dp_dv);
+    }
+    return usable;
+}
+
+/// A map's height: the channel that the material says, times its strength.
+FN real bump_height(SCENE word texture, word flags, real2 uv) {
+    real alpha;
+    real3 color = texture_lookup(SCENE_ texture, flags, uv, alpha);
+    return texture_channel(color, alpha, flags);
+}
+
+/// The shading normal after the material's bump or normal map.
+FN real3 bumped_normal(SCENE Surface s) {
+    real3 n = s.normal;
+    real3 dp_du;
+    real3 dp_dv;
+    mask usable = triangle_tangents(SCENE_ s, dp_du, dp_dv);
+    real du2 = max(dot(dp_du, dp_du), real(1e-30f));
+    real dv2 = max(dot(dp_dv, dp_dv), real(1e-30f));
+
+    word bump = FIELD(materials, s.material, bump_texture.texture);
+    mask bumps = mask_and(usable, bump != word(NONE));
+    if (any_lane(bumps)) {
+        word texture = select(bumps, bump, word(0u));
+        word flags = FIELD(materials, s.material, bump_texture.flags);
+        real2 scale = FIELD(materials, s.material, bump_texture.scale);
+        real2 uv = s.uv * scale + FIELD(materials, s.material, bump_texture.offset);
+        real strength = FIELD(materials, s.material, bump_texture.strength);
+        // Differences over one texel. Heights are in units of the texture's width on the surface, so that a map keeps
+        // its slope when the model is scaled.
+        real step_u = 1.0f / real_from_word(FIELD(textures, texture, width));
+        real step_v = 1.0f / real_from_word(FIELD(textures, texture, height));
+        real h = bump_height(SCENE_ texture, flags, uv);
+        real slope_u = (bump_height(SCENE_ texture, flags, uv + real2(step_u, real(0.0f))) - h) * strength;
+        real slope_v = (bump_height(SCENE_ texture, flags, uv + real2(real(0.0f), step_v)) - h) * strength;
+        real3 tangent = dp_du * (1.0f / sqrt(du2));
+        real3 bitangent = dp_dv * (1.0f / sqrt(dv2));
+        real3 bumped = n - tangent * slope_u - bitangent * slope_v;
+        n = select(bumps, normalize(bumped), n);
+    }
+
+    word map = FIELD(materials, s.material, normal_texture.texture);
+    mask mapped = mask_and(usable, map != word(NONE));
+    if (any_lane(mapped)) {
+        word texture = select(mapped, map, word(0u));
+        word flags = FIELD(materials, s.material, normal_texture.flags);
+        real2 scale = FIELD(materials, s.material, normal_texture.scale);
+        real2 uv = s.uv * scale + FIELD(materials, s.material, normal_texture.offset);
+        real alpha;
+        real3 stored = texture_lookup(SCENE_ texture, flags, uv, alpha);
+        real strength = FIELD(materials, s.material, normal_texture.strength);
+        real x = (stored.x * 2.0f - 1.0f) * strength;
+        real y = (stored.y * 2.0f - 1.0f) * strength;
+        real z = stored.z * 2.0f - 1.0f;
+        real3 tangent = dp_du * (1.0f / sqrt(du2));
+        real3 bitangent = dp_dv * (1.0f / sqrt(dv2));
+        real3 bent = tangent * x + bitangent * y + s.normal * max(z, real(0.01f));
+        n = select(mapped, normalize(bent), n);
+    }
+    // Keep it on the viewer's side of the face.
+    real under = dot(n, s.geometric_normal);
+    real3 lifted = n - s.geometric_normal * (under - 0.01f);
+    return select(under < real(0.01f), normalize(lifted), n);
+}
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// A material at a surface point: lobes with weights, textures looked up.
+#ifndef SUNDOG_KERNEL_MATERIALS_MATERIAL_H
+#define SUNDOG_KERNEL_MATERIALS_MATERIAL_H
+
+#include "kernel/materials/reflection.h"
+#include "kernel/materials/surface.h"
+#include "kernel/patterns/texture.h"
+
+KERNEL_BEGIN
+
+/// How a surface answers to light there; linear RGB. reflectance and transmittance are final weights: Fresnel is in
+/// them.
+struct Lobes {
+    real3 emission;
+    real3 ambient;
+    real3 diffuse;
+    real3 specular;
+    real shininess;
+    mask phong;  ///< Highlight by Phong's formula, else by Blinn's.
+    real3 reflectance;
+    real3 transmittance;
+    real eta;  ///< Index of refraction on the ray's side over that on the other.
+};
+
+/// Textures' part of evaluate_material.
+FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
+    mask checker = (flags & word(MATERIAL_CHECKER)) != word(0u);
+    if (any_lane(checker)) {
+        mask other = mask_and(checker, checker_is_other(s.uv, FIELD(materials, s.material, checker_cells)));
+        real3 color = FIELD(materials, s.material, checker_other);
+        lobes.diffuse = select(other, color, lobes.diffuse);
+        lobes.ambient = select(other, color, lobes.ambient);
+    }
+    real alpha;
+    word texture = FIELD(materials, s.material, diffuse_texture.texture);
+    mask used = texture != word(NONE);
+    if (any_lane(used)) {
+        real3 color =
+            texture_lookup(SCENE_ select(used, texture, word(0u)), FIELD(materials, s.material, diffuse_texture.flags),
+                           s.uv * FIELD(materials, s.material, diffuse_texture.scale) +
+                               FIELD(materials, s.material, diffuse_texture.offset),
+                           alpha);
+        color = select(used, color, real3(real(1.0f)));
+        lobes.diffuse = lobes.diffuse * color;
+        lobes.ambient = lobes.ambient * color;
+    }
+    texture = FIELD(materials, s.material, specular_texture.texture);
+    used = texture != word(NONE);
+    if (any_lane(used)) {
+        real3 color =
+            texture_lookup(SCENE_ select(used, texture, word(0u)), FIELD(materials, s.material, specular_texture.flags),
+                           s.uv * FIELD(materials, s.material, specular_texture.scale) +
+                               FIELD(materials, s.material, specular_texture.offset),
+                           alpha);
+        color = select(used, color, real3(real(1.0f)));
+        lobes.specular = lobes.specular * color;
+        lobes.reflectance = lobes.reflectance * color;
+    }
+    texture = FIELD(materials, s.material, emission_texture.texture);
+    used = texture != word(NONE);
+    if (any_lane(used)) {
+        real3 color =
+            texture_lookup(SCENE_ select(used, texture, word(0u)), FIELD(materials, s.material, emission_texture.flags),
+                           s.uv * FIELD(materials, s.material, emission_texture.scale) +
+                               FIELD(materials, s.material, emission_texture.offset),
+                           alpha);
+        lobes.emission = select(used, lobes.emission * color, lobes.emission);
+    }
+    texture = FIELD(materials, s.material, opacity_texture.texture);
+    used = texture != word(NONE);
+    if (any_lane(used)) {
+        word ref_flags = FIELD(materials, s.material, opacity_texture.flags);
+        real3 color = texture_lookup(SCENE_ select(used, texture, word(0u)), ref_flags,
+                                     s.uv * FIELD(materials, s.material, opacity_texture.scale) +
+                                         FIELD(materials, s.material, opacity_texture.offset),
+                                     alpha);
+        real opacity = select(used, texture_channel(color, alpha, ref_flags), real(1.0f));
+        // What the map takes away lets light pass straight through.
+        lobes.transmittance = real3(real(1.0f)) - (real3(real(1.0f)) - lobes.transmittance) * opacity;
+        lobes.reflectance = lobes.reflectance * opacity;
+        lobes.specular = lobes.specular * opacity;
+    }
+}
+
+/// The material at a surface point, for a ray that comes along `incoming`.
+FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
+    Lobes lobes;
+    word flags = FIELD(materials, s.material, flags);
+    lobes.emission = FIELD(materials, s.material, emission);
+    lobes.ambient = FIELD(materials, s.material, ambient);
+    lobes.diffuse = FIELD(materials, s.material, diffuse);
+    lobes.specular = real3(real(0.0f));
+    lobes.shininess = real(1.0f);
+    lobes.phong = (flags & word(MATERIAL_PHONG)) != word(0u);
+    if (FEATURE(FEATURE_HIGHLIGHTS)) {
+        lobes.specular = FIELD(materials, s.material, specular);
+        lobes.shininess = FIELD(materials, s.material, shininess);
+    }
+    lobes.reflectance = real3(real(0.0f));
+    lobes.transmittance = real3(real(0.0f));
+    lobes.eta = real(1.0f);
+    if (FEATURE(FEATURE_MIRRORS)) lobes.reflectance = FIELD(materials, s.material, reflectance);
+    if (FEATURE(FEATURE_TRANSPARENT)) {
+        lobes.transmittance = FIELD(materials, s.material, transmittance);
+        real ior = FIELD(materials, s.material, ior);
+        lobes.eta = select(s.from_behind, ior, 1.0f / ior);
+    }
+    if (FEATURE(FEATURE_TEXTURES)) {
+        if (any_lane((flags & word(MATERIAL_TEXTURED)) != word(0u))) apply_textures(SCENE_ s, flags, lobes);
+    }
+    mask fresnel = (flags & word(MATERIAL_FRESNEL)) != word(0u);
+    if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
+        real cos_in = -dot(s.normal, incoming);
+        real3 t = lobes.transmittance;
+        mask transparent = max(t.x, max(t.y, t.z)) > real(0.0f);
+        if (any_lane(fresnel)) {
+            real3 opaque_reflectance = fresnel_schlick(lobes.reflectance, cos_in);
+            lobes.reflectance = select(mask_and(fresnel, mask_not(transparent)), opaque_reflectance, lobes.reflectance);
+        }
+        if (any_lane(transparent)) {
+            real f = fresnel_dielectric(cos_in, lobes.eta);
+            mask total = f >= real(1.0f);
+            mask split = mask_and(fresnel, transparent);
+            lobes.reflectance = select(split, lobes.reflectance * f, lobes.reflectance);
+            lobes.transmittance = select(split, t * (1.0f - f), t);
+            // Total internal reflection: all that would have passed is thrown back.
+            mask thrown_back = mask_and(transparent, total);
+            lobes.reflectance = select(thrown_back, max(t, lobes.reflectance), lobes.reflectance);
+            lobes.transmittance = select(thrown_back, real3(real(0.0f)), lobes.transmittance);
+        }
+    }
+    return lobes;
+}
+
+KERNEL_END
+
+#endif

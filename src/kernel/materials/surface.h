@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a ray finds where it hits: the place, the normals, the texture coordinates, the material.
+#ifndef SUNDOG_KERNEL_MATERIALS_SURFACE_H
+#define SUNDOG_KERNEL_MATERIALS_SURFACE_H
+
+#include "kernel/rays.h"
+#include "kernel/shapes/box.h"
+#include "kernel/shapes/plane.h"
+#include "kernel/shapes/sphere.h"
+#include "kernel/shapes/triangle.h"
+
+KERNEL_BEGIN
+
+struct Surface {
+    real3 position;          ///< World space.
+    real error;              ///< How far position may lie off the surface.
+    real3 geometric_normal;  ///< Unit, world space, on the side that the ray came from.
+    real3 normal;            ///< Shading normal, likewise.
+    mask from_behind;        ///< The ray came from the back (for a solid: from inside).
+    real2 uv;
+    word geometry, primitive, material;
+};
+
+/// A geometry's normal, carried from object to world space (by the inverse transposed).
+FN real3 normal_to_world(SCENE word instance, real3 n) {
+    return real3(dot(FIELD(instances, instance, object_from_world_x), n),
+                 dot(FIELD(instances, instance, object_from_world_y), n),
+                 dot(FIELD(instances, instance, object_from_world_z), n));
+}
+
+/// A point, carried from world to object space.
+FN real3 point_to_object(SCENE word instance, real3 p) {
+    return FIELD(instances, instance, object_from_world_x) * p.x +
+           FIELD(instances, instance, object_from_world_y) * p.y +
+           FIELD(instances, instance, object_from_world_z) * p.z + FIELD(instances, instance, object_from_world_t);
+}
+
+/// Texture coordinates of a triangle's point; zero where it has none.
+FN real2 triangle_uv(SCENE word primitive, real u, real v) {
+    word a = FIELD(triangle_uvs, primitive, a);
+    mask present = a != word(NONE);
+    word ia = select(present, a, word(0u));
+    word ib = select(present, FIELD(triangle_uvs, primitive, b), word(0u));
+    word ic = select(present, FIELD(triangle_uvs, primitive, c), word(0u));
+    real2 uv = interpolate(GET(uvs, ia), GET(uvs, ib), GET(uvs, ic), u, v);
+    return select(present, uv, real2(real(0.0f), real(0.0f)));
+}
+
+/// Everything about a hit, in the lanes of `found`; others hold some valid surface.
+FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
+    Surface s;
+    s.geometry = select(found, hit.geometry, word(0u));
+    s.primitive = select(found, hit.primitive, word(0u));
+    real t = select(found, hit.t, real(0.0f));
+    s.position = point_at(ray, t);
+    s.error = hit_error(ray.origin, s.position, t);
+    real3 outward = select(found, hit.normal, real3(real(0.0f), real(0.0f), real(1.0f)));
+    real3 shading = outward;  // object space until both are carried to the world's
+    s.uv = real2(real(0.0f), real(0.0f));
+
+    word kind = word(GEOMETRY_TRIANGLES);
+    word instance = word(NONE);
+    real3 object_point = s.position;
+    if (FEATURE(FEATURE_ANALYTIC | FEATURE_INSTANCES)) {
+        kind = FIELD(geometries, s.geometry, kind);
+        instance = FIELD(geometries, s.geometry, instance);
+    }
+    mask moved = instance != word(NONE);
+    word placed = select(moved, instance, word(0u));
+    if (FEATURE(FEATURE_INSTANCES))
+        object_point = select(moved, point_to_object(SCENE_ placed, s.position), s.position);
+
+    mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
+    word triangle = select(is_triangle, s.primitive, word(0u));
+    s.material = FIELD(triangles, triangle, material);
+    if (FEATURE(FEATURE_SMOOTH)) {
+        word a = FIELD(triangle_normals, triangle, a);
+        mask smoothed = mask_and(mask_and(is_triangle, found), a != word(NONE));
+        if (any_lane(smoothed)) {
+            word ia = select(smoothed, a, word(0u));
+            word ib = select(smoothed, FIELD(triangle_normals, triangle, b), word(0u));
+            word ic = select(smoothed, FIELD(triangle_normals, triangle, c), word(0u));
+            real3 n = interpolate(GET(normals, ia), GET(normals, ib), GET(normals, ic), hit.u, hit.v);
+            // Opposed vertex normals can cancel: the face's own normal stands in.
+            shading = select(mask_and(smoothed, dot(n, n) > real(1e-20f)), n, shading);
+        }
+    }
+    if (FEATURE(FEATURE_TEXTURES)) s.uv = triangle_uv(SCENE_ triangle, hit.u, hit.v);
+
+    if (FEATURE(FEATURE_ANALYTIC)) {
+        real3 unit_outward = normalize(outward);
+        mask is_sphere = kind == word(GEOMETRY_SPHERE);
+        if (any_lane(is_sphere)) {
+            word sphere = select(is_sphere, s.primitive, word(0u));
+            s.material = select(is_sphere, FIELD(spheres, sphere, material), s.material);
+            if (FEATURE(FEATURE_TEXTURES)) s.uv = select(is_sphere, sphere_uv(unit_outward), s.uv);
+        }
+        mask is_box = kind == word(GEOMETRY_BOX);
+        if (any_lane(is_box)) {
+            word box = select(is_box, s.primitive, word(0u));
+            s.material = select(is_box, FIELD(boxes, box, material), s.material);
+            if (FEATURE(FEATURE_TEXTURES)) {
+                real2 uv = box_uv(object_point, unit_outward, FIELD(boxes, box, lower), FIELD(boxes, box, upper));
+                s.uv = select(is_box, uv, s.uv);
+            }
+        }
+        mask is_plane = kind == word(GEOMETRY_PLANE);
+        if (any_lane(is_plane)) {
+            word plane = select(is_plane, s.primitive, word(0u));
+            s.material = select(is_plane, FIELD(planes, plane, material), s.material);
+            if (FEATURE(FEATURE_TEXTURES)) s.uv = select(is_plane, plane_uv(object_point, unit_outward), s.uv);
+        }
+    }
+
+    if (FEATURE(FEATURE_INSTANCES)) {
+        outward = select(moved, normal_to_world(SCENE_ placed, outward), outward);
+        shading = select(moved, normal_to_world(SCENE_ placed, shading), shading);
+    }
+    real3 unit_geometric = normalize(outward);
+    s.from_behind = dot(unit_geometric, ray.direction) > real(0.0f);
+    real side = select(s.from_behind, real(-1.0f), real(1.0f));
+    s.geometric_normal = unit_geometric * side;
+    // Vertex normals may have been written for either side; the face's orientation is what the ray goes by.
+    real3 unit_smooth = normalize(shading);
+    real agree = select(dot(unit_smooth, s.geometric_normal) < real(0.0f), real(-1.0f), real(1.0f));
+    s.normal = unit_smooth * agree;
+    return s;
+}
+
+KERNEL_END
+
+#endif
