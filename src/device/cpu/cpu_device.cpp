@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/cpu/cpu_device.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <atomic>
+#include <fstream>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "device/cpu/embree_scene.h"
+#include "device/cpu/tile_kernel.h"
+
+namespace sundog {
+namespace {
+
+/// Side of the squares that threads take from each other, in pixels; a multiple of every block's side.
+constexpr int kTileSide = 32;
+
+int widest_lanes() {
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+        __builtin_cpu_supports("avx512vl"))
+        return 16;
+    return __builtin_cpu_supports("avx2") ? 8 : 4;
+}
+
+const char* instruction_set(int lanes) { return lanes == 16 ? "AVX-512" : lanes == 8 ? "AVX2" : "SSE4.2"; }
+
+std::string processor_name() {
+    std::ifstream cpuinfo("/proc/cpuinfo");
+    for (std::string line; std::getline(cpuinfo, line);)
+        if (line.starts_with("model name"))
+            if (const std::size_t colon = line.find(": "); colon != std::string::npos) return line.substr(colon + 2);
+    return "x86-64 processor";
+}
+
+class CpuDevice final : public Device {
+public:
+    explicit CpuDevice(const CpuOptions& options) : lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
+        if (!__builtin_cpu_supports("sse4.2"))
+            throw DeviceError("this processor lacks SSE4.2, which the CPU device needs");
+        if (lanes_ != 4 && lanes_ != 8 && lanes_ != 16) throw DeviceError("the CPU device has 4, 8 or 16 lanes");
+        if (lanes_ > widest_lanes())
+            throw DeviceError("this processor has no " + std::string(instruction_set(lanes_)) + " for " +
+                              std::to_string(lanes_) + " lanes");
+        if (options.threads > 0) arena_.initialize(options.threads);
+        else arena_.initialize();
+        kernel_ = lanes_ == 16 ? cpu::render_tile_16 : lanes_ == 8 ? cpu::render_tile_8 : cpu::render_tile_4;
+        const int threads = arena_.max_concurrency();
+        device_.reset(rtcNewDevice(("threads=" + std::to_string(threads) + ",frequency_level=simd512").c_str()));
+        if (!device_) throw DeviceError("Embree can't start on this processor");
+        info_.kind = "cpu";
+        info_.name = processor_name();
+        info_.detail = std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + instruction_set(lanes_) +
+                       " (" + std::to_string(lanes_) + " rays at a time), Embree " + RTC_VERSION_STRING;
+        rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &bytes_);
+    }
+
+    [[nodiscard]] const DeviceInfo& info() const override { return info_; }
+    [[nodiscard]] std::vector<std::string> unsupported(const RenderScene&) const override { return {}; }
+    [[nodiscard]] std::size_t memory_bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
+
+    void load(std::shared_ptr<const RenderScene> scene) override {
+        arena_.execute([&] {
+            embree_.reset();
+            scene_ = std::move(scene);
+            embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
+        });
+    }
+
+    RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
+        std::atomic<std::uint64_t> rays{0}, shadow_rays{0};
+        std::atomic<bool> complete{true};
+        const PixelRect& r = work.region;
+        const auto tiles_before = [](int pixel) { return pixel / kTileSide; };
+        const auto tiles_to = [](int pixel) { return (pixel + kTileSide - 1) / kTileSide; };
+        arena_.execute([&] {
+            embree_->update(frame);
+            const tbb::blocked_range2d<int> tiles(tiles_before(r.y0), tiles_to(r.y1), 1, tiles_before(r.x0),
+                                                  tiles_to(r.x1), 1);
+            tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& range) {
+                for (int ty = range.rows().begin(); ty != range.rows().end(); ++ty) {
+                    for (int tx = range.cols().begin(); tx != range.cols().end(); ++tx) {
+                        if (stop.requested()) {
+                            complete = false;
+                            return;
+                        }
+                        const PixelRect tile{std::max(r.x0, tx * kTileSide), std::max(r.y0, ty * kTileSide),
+                                             std::min(r.x1, (tx + 1) * kTileSide),
+                                             std::min(r.y1, (ty + 1) * kTileSide)};
+                        const cpu::TileRays done = kernel_(
+                            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film});
+                        rays += done.rays;
+                        shadow_rays += done.shadow_rays;
+                    }
+                }
+            });
+        });
+        return {rays, shadow_rays, complete};
+    }
+
+private:
+    static bool count_memory(void* total, ssize_t bytes, bool) {
+        *static_cast<std::atomic<std::int64_t>*>(total) += bytes;
+        return true;
+    }
+
+    int lanes_;
+    DeviceInfo info_;
+    cpu::TileKernel kernel_ = nullptr;
+    tbb::task_arena arena_;
+    std::atomic<std::int64_t> bytes_{0};  // outlives the Embree objects that count themselves off
+    embree::Device device_;
+    std::shared_ptr<const RenderScene> scene_;
+    std::unique_ptr<cpu::EmbreeScene> embree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> make_cpu_device(const CpuOptions& options) { return std::make_unique<CpuDevice>(options); }
+
+}  // namespace sundog

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/cpu/embree_scene.h"
+
+#include <cstring>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "kernel/shapes/box.h"
+#include "kernel/shapes/sphere.h"
+
+namespace sundog::cpu {
+namespace {
+
+using kernel::NONE;
+
+/// The placement as Embree takes it: a 3x4 matrix by columns.
+std::array<float, 12> columns_of(const kernel::Instance& i) {
+    return {i.world_from_object_x.x, i.world_from_object_x.y, i.world_from_object_x.z, i.world_from_object_y.x,
+            i.world_from_object_y.y, i.world_from_object_y.z, i.world_from_object_z.x, i.world_from_object_z.y,
+            i.world_from_object_z.z, i.world_from_object_t.x, i.world_from_object_t.y, i.world_from_object_t.z};
+}
+
+std::uint32_t material_of(const RenderScene& scene, const kernel::Geometry& geometry, std::uint32_t primitive) {
+    const std::uint32_t i = geometry.first_primitive + primitive;
+    switch (geometry.kind) {
+        case kernel::GEOMETRY_SPHERE:
+            return scene.spheres[i].material;
+        case kernel::GEOMETRY_BOX:
+            return scene.boxes[i].material;
+        default:
+            return scene.triangles[i].material;
+    }
+}
+
+kernel::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
+    kernel::Ray ray;
+    ray.origin =
+        kernel::real3(RTCRayN_org_x(rays, n, lane), RTCRayN_org_y(rays, n, lane), RTCRayN_org_z(rays, n, lane));
+    ray.direction =
+        kernel::real3(RTCRayN_dir_x(rays, n, lane), RTCRayN_dir_y(rays, n, lane), RTCRayN_dir_z(rays, n, lane));
+    ray.t_min = RTCRayN_tnear(rays, n, lane);
+    ray.t_max = RTCRayN_tfar(rays, n, lane);
+    return ray;
+}
+
+/// The nearest hit with a sphere or box; false for none. With `culls`, a hit from behind is passed over: the front of a
+/// convex shape is never behind its back, so the ray then misses it altogether.
+bool hit_shape(const RenderScene& scene, const kernel::Geometry& geometry, std::uint32_t primitive,
+               const kernel::Ray& ray, bool culls, float& t, kernel::real3& normal) {
+    const std::uint32_t i = geometry.first_primitive + primitive;
+    const bool found = geometry.kind == kernel::GEOMETRY_SPHERE
+                           ? kernel::intersect_sphere(ray, scene.spheres[i].center, scene.spheres[i].radius, t, normal)
+                           : kernel::intersect_box(ray, scene.boxes[i].lower, scene.boxes[i].upper, t, normal);
+    return found && !(culls && dot(normal, ray.direction) >= 0);
+}
+
+}  // namespace
+
+EmbreeScene::EmbreeScene(RTCDevice device, const RenderScene& scene)
+    : device_(device), scene_(scene), top_(rtcNewScene(device)) {
+    rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_MEDIUM);
+    rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_ROBUST);
+    for (std::uint32_t i = 0; i < scene.geometries.size(); ++i)
+        if (scene.geometries[i].primitive_count > 0 && scene.geometries[i].kind != kernel::GEOMETRY_PLANE) add(i);
+    rtcCommitScene(top_.get());
+    check("building acceleration structures");
+}
+
+bool EmbreeScene::GeometryData::culls(std::uint32_t primitive) const {
+    return culling &&
+           (scene->materials[material_of(*scene, geometry, primitive)].flags & kernel::MATERIAL_TRANSPARENT) == 0;
+}
+
+void EmbreeScene::check(const char* doing) const {
+    switch (rtcGetDeviceError(device_)) {
+        case RTC_ERROR_NONE:
+            return;
+        case RTC_ERROR_OUT_OF_MEMORY:
+            throw DeviceError(std::string("out of memory ") + doing);
+        default:
+            throw DeviceError(std::string("Embree failed ") + doing);
+    }
+}
+
+embree::Geometry EmbreeScene::make_geometry(GeometryData& data) {
+    const kernel::Geometry& g = data.geometry;
+    const bool triangles = g.kind == kernel::GEOMETRY_TRIANGLES;
+    embree::Geometry geometry(rtcNewGeometry(device_, triangles ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_USER));
+    if (triangles) {
+        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                   scene_.positions.data(), 0, sizeof(kernel::vec3), scene_.positions.size() - 1);
+        rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, scene_.triangles.data(),
+                                   sizeof(kernel::Triangle) * g.first_primitive, sizeof(kernel::Triangle),
+                                   g.primitive_count);
+    } else {
+        rtcSetGeometryUserPrimitiveCount(geometry.get(), g.primitive_count);
+        rtcSetGeometryBoundsFunction(geometry.get(), bounds_of, &data);
+        rtcSetGeometryIntersectFunction(geometry.get(), intersect);
+        rtcSetGeometryOccludedFunction(geometry.get(), occluded);
+    }
+    rtcSetGeometryUserData(geometry.get(), &data);
+    rtcCommitGeometry(geometry.get());
+    return geometry;
+}
+
+void EmbreeScene::add(std::uint32_t index) {
+    const kernel::Geometry& g = scene_.geometries[index];
+    data_.push_back(std::make_unique<GeometryData>(GeometryData{&scene_, g}));
+    const embree::Geometry geometry = make_geometry(*data_.back());
+    data_.back()->handle = geometry.get();
+    if (g.instance == NONE) {
+        rtcAttachGeometryByID(top_.get(), geometry.get(), index);
+        return;
+    }
+    embree::Scene object(rtcNewScene(device_));
+    rtcSetSceneFlags(object.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcAttachGeometryByID(object.get(), geometry.get(), 0);
+    rtcCommitScene(object.get());
+    const embree::Geometry instance(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE));
+    rtcSetGeometryInstancedScene(instance.get(), object.get());
+    rtcSetGeometryTimeStepCount(instance.get(), 1);
+    rtcCommitGeometry(instance.get());
+    rtcAttachGeometryByID(top_.get(), instance.get(), index);
+    if (instances_.size() <= g.instance) instances_.resize(g.instance + 1, nullptr);
+    instances_[g.instance] = instance.get();
+    moving_.push_back(std::move(object));
+}
+
+void EmbreeScene::update(const Frame& frame) {
+    bool changed = false;
+    const bool cull_now = (frame.params.features & kernel::FEATURE_CULL) != 0;
+    if (cull_now != culling_) {
+        culling_ = cull_now;
+        for (const std::unique_ptr<GeometryData>& data : data_) {
+            data->culling = cull_now;
+            if (data->geometry.kind != kernel::GEOMETRY_TRIANGLES) continue;  // shapes of ours cull by themselves
+            rtcSetGeometryIntersectFilterFunction(data->handle, cull_now ? cull : nullptr);
+            rtcSetGeometryOccludedFilterFunction(data->handle, cull_now ? cull : nullptr);
+            rtcCommitGeometry(data->handle);
+        }
+        for (const embree::Scene& object : moving_) rtcCommitScene(object.get());
+        changed = true;
+    }
+    placed_.resize(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        if (!instances_[i] || std::memcmp(&placed_[i], &frame.instances[i], sizeof placed_[i]) == 0) continue;
+        placed_[i] = frame.instances[i];
+        const std::array<float, 12> columns = columns_of(placed_[i]);
+        rtcSetGeometryTransform(instances_[i], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+        rtcCommitGeometry(instances_[i]);
+        changed = true;
+    }
+    if (changed) {
+        rtcCommitScene(top_.get());
+        check("updating acceleration structures");
+    }
+}
+
+void EmbreeScene::bounds_of(const RTCBoundsFunctionArguments* args) {
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    const std::uint32_t i = data.geometry.first_primitive + args->primID;
+    RTCBounds& b = *args->bounds_o;
+    if (data.geometry.kind == kernel::GEOMETRY_SPHERE) {
+        const kernel::Sphere& s = data.scene->spheres[i];
+        b.lower_x = s.center.x - s.radius, b.lower_y = s.center.y - s.radius, b.lower_z = s.center.z - s.radius;
+        b.upper_x = s.center.x + s.radius, b.upper_y = s.center.y + s.radius, b.upper_z = s.center.z + s.radius;
+    } else {
+        const kernel::Box& box = data.scene->boxes[i];
+        b.lower_x = box.lower.x, b.lower_y = box.lower.y, b.lower_z = box.lower.z;
+        b.upper_x = box.upper.x, b.upper_y = box.upper.y, b.upper_z = box.upper.z;
+    }
+}
+
+void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    const unsigned n = args->N;
+    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, n);
+    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
+    const bool culls = data.culls(args->primID);
+    for (unsigned lane = 0; lane < n; ++lane) {
+        if (args->valid[lane] == 0) continue;
+        float t = 0;
+        kernel::real3 normal;
+        const kernel::Ray ray = ray_of(rays, n, lane);
+        if (!hit_shape(*data.scene, data.geometry, args->primID, ray, culls, t, normal)) continue;
+        RTCRayN_tfar(rays, n, lane) = t;
+        RTCHitN_u(hits, n, lane) = 0;
+        RTCHitN_v(hits, n, lane) = 0;
+        RTCHitN_Ng_x(hits, n, lane) = normal.x;
+        RTCHitN_Ng_y(hits, n, lane) = normal.y;
+        RTCHitN_Ng_z(hits, n, lane) = normal.z;
+        RTCHitN_geomID(hits, n, lane) = args->geomID;
+        RTCHitN_primID(hits, n, lane) = args->primID;
+        RTCHitN_instID(hits, n, lane, 0) = args->context->instID[0];
+    }
+}
+
+void EmbreeScene::occluded(const RTCOccludedFunctionNArguments* args) {
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    const bool culls = data.culls(args->primID);
+    const unsigned n = args->N;
+    for (unsigned lane = 0; lane < n; ++lane) {
+        if (args->valid[lane] == 0) continue;
+        float t = 0;
+        kernel::real3 normal;
+        if (hit_shape(*data.scene, data.geometry, args->primID, ray_of(args->ray, n, lane), culls, t, normal))
+            RTCRayN_tfar(args->ray, n, lane) = -INFINITY;
+    }
+}
+
+void EmbreeScene::cull(const RTCFilterFunctionNArguments* args) {
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    const unsigned n = args->N;
+    for (unsigned lane = 0; lane < n; ++lane) {
+        if (args->valid[lane] == 0) continue;
+        const std::uint32_t material = material_of(*data.scene, data.geometry, RTCHitN_primID(args->hit, n, lane));
+        if (data.scene->materials[material].flags & kernel::MATERIAL_TRANSPARENT) continue;
+        const float facing = RTCHitN_Ng_x(args->hit, n, lane) * RTCRayN_dir_x(args->ray, n, lane) +
+                             RTCHitN_Ng_y(args->hit, n, lane) * RTCRayN_dir_y(args->ray, n, lane) +
+                             RTCHitN_Ng_z(args->hit, n, lane) * RTCRayN_dir_z(args->ray, n, lane);
+        if (facing >= 0) args->valid[lane] = 0;
+    }
+}
+
+}  // namespace sundog::cpu

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// A RenderScene as Embree geometry. Geometry IDs of the top-level scene are the RenderScene's geometry indices; planes
+// are not in it (the kernel asks them one by one).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "device/cpu/embree.h"
+#include "device/render_scene.h"
+
+namespace sundog::cpu {
+
+class EmbreeScene {
+public:
+    /// Builds over the scene, which must outlive this. Errors: DeviceError (out of memory).
+    EmbreeScene(RTCDevice device, const RenderScene& scene);
+
+    /// Brings moving geometries to their places, and culling to what the frame says; commits if anything changed.
+    void update(const Frame& frame);
+
+    [[nodiscard]] RTCScene handle() const { return top_.get(); }
+
+private:
+    /// What Embree's callbacks are told of a geometry.
+    struct GeometryData {
+        const RenderScene* scene;
+        kernel::Geometry geometry;
+        RTCGeometry handle = nullptr;  ///< Owned by the scene it is attached to.
+        bool culling = false;
+        [[nodiscard]] bool culls(std::uint32_t primitive) const;
+    };
+
+    void add(std::uint32_t index);
+    embree::Geometry make_geometry(GeometryData& data);
+    void check(const char* doing) const;
+
+    static void bounds_of(const RTCBoundsFunctionArguments* args);
+    static void intersect(const RTCIntersectFunctionNArguments* args);
+    static void occluded(const RTCOccludedFunctionNArguments* args);
+    static void cull(const RTCFilterFunctionNArguments* args);
+
+    RTCDevice device_;
+    const RenderScene& scene_;
+    embree::Scene top_;
+    std::vector<std::unique_ptr<GeometryData>> data_;
+    std::vector<embree::Scene> moving_;     ///< One scene for each moving geometry, by instance.
+    std::vector<RTCGeometry> instances_;    ///< Instance geometries in top_, by instance index; null for planes.
+    std::vector<kernel::Instance> placed_;  ///< Placements last committed.
+    bool culling_ = false;
+};
+
+}  // namespace sundog::cpu

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled once per width (SUNDOG_KERNEL_LANES): primary rays of a block of pixels, Whitted's integrator over Embree,
+// film.
+#include "device/cpu/tile_kernel.h"
+
+#include <algorithm>
+
+#include "device/cpu/embree.h"
+#include "kernel/rays.h"
+#include "kernel/shapes/all_planes.h"
+
+KERNEL_BEGIN
+
+#if SUNDOG_KERNEL_LANES == 16
+using RayPacket = RTCRay16;
+using RayHitPacket = RTCRayHit16;
+inline constexpr int kBlockWidth = 4, kBlockHeight = 4;
+#elif SUNDOG_KERNEL_LANES == 8
+using RayPacket = RTCRay8;
+using RayHitPacket = RTCRayHit8;
+inline constexpr int kBlockWidth = 4, kBlockHeight = 2;
+#else
+using RayPacket = RTCRay4;
+using RayHitPacket = RTCRayHit4;
+inline constexpr int kBlockWidth = 2, kBlockHeight = 2;
+#endif
+
+FN vfloat& lanes_of(float* first) { return *reinterpret_cast<vfloat*>(first); }
+FN vuint& lanes_of(unsigned* first) { return *reinterpret_cast<vuint*>(first); }
+
+FN void store_ray(const Ray& ray, RayPacket& packet) {
+    lanes_of(packet.org_x) = ray.origin.x.v;
+    lanes_of(packet.org_y) = ray.origin.y.v;
+    lanes_of(packet.org_z) = ray.origin.z.v;
+    lanes_of(packet.dir_x) = ray.direction.x.v;
+    lanes_of(packet.dir_y) = ray.direction.y.v;
+    lanes_of(packet.dir_z) = ray.direction.z.v;
+    lanes_of(packet.tnear) = ray.t_min.v;
+    lanes_of(packet.tfar) = ray.t_max.v;
+    lanes_of(packet.time) = vfloat{};
+    lanes_of(packet.mask) = vuint{} - 1u;
+    lanes_of(packet.flags) = vuint{};
+}
+
+inline Hit trace_closest(SCENE Ray ray, mask alive, bool from_eye) {
+    alignas(64) RayHitPacket packet;
+    store_ray(ray, packet.ray);
+    lanes_of(packet.hit.geomID) = vuint{} - 1u;
+    lanes_of(packet.hit.instID[0]) = vuint{} - 1u;
+    alignas(64) const vint valid = lane_ints(alive);
+    embree::Query query(from_eye);
+    embree::closest_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
+                        query, packet);
+    Hit hit;
+    hit.t = real(lanes_of(packet.ray.tfar));
+    hit.u = real(lanes_of(packet.hit.u));
+    hit.v = real(lanes_of(packet.hit.v));
+    hit.normal =
+        real3(real(lanes_of(packet.hit.Ng_x)), real(lanes_of(packet.hit.Ng_y)), real(lanes_of(packet.hit.Ng_z)));
+    hit.geometry = word(lanes_of(packet.hit.geomID));
+    if (FEATURE(FEATURE_INSTANCES)) {
+        const word instance(lanes_of(packet.hit.instID[0]));
+        hit.geometry = select(instance != word(NONE), instance, hit.geometry);
+    }
+    const mask found = mask_and(alive, hit.geometry != word(NONE));
+    hit.primitive =
+        word(lanes_of(packet.hit.primID)) + FIELD(geometries, select(found, hit.geometry, word(0u)), first_primitive);
+    if (scene.frame.plane_count > 0) closest_plane(scene, ray, alive, hit);
+    return hit;
+}
+
+inline mask trace_any(SCENE Ray ray, mask alive) {
+    alignas(64) RayPacket packet;
+    store_ray(ray, packet);
+    alignas(64) const vint valid = lane_ints(alive);
+    embree::Query query(true);
+    embree::any_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
+                    query, packet);
+    mask blocked = mask_and(alive, real(lanes_of(packet.tfar)) < real(0.0f));
+    if (scene.frame.plane_count > 0) blocked = mask_or(blocked, any_plane(scene, ray, alive));
+    return blocked;
+}
+
+KERNEL_END
+
+#include "kernel/cameras/pinhole.h"
+#include "kernel/integrators/whitted.h"
+
+namespace sundog::cpu {
+namespace {
+
+using namespace kernel;
+
+SceneView view_of(const TileWork& work) {
+    SceneView view;
+    view.frame = work.frame.params;
+#define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAY(type, name, binding) view.name = work.scene.name.data();
+#include "kernel/arrays.h"
+#undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_SCENE_ONLY
+    view.lights = work.frame.lights.data();
+    view.instances = work.frame.instances.data();
+    view.traversal = work.traversal;
+    return view;
+}
+
+/// Pixel coordinates of a block's lanes, row by row.
+struct BlockPixels {
+    vint x{}, y{};
+    BlockPixels(int x0, int y0) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+            x[lane] = x0 + lane % kBlockWidth;
+            y[lane] = y0 + lane / kBlockWidth;
+        }
+    }
+};
+
+std::uint64_t sum_lanes(word w) {
+    std::uint64_t sum = 0;
+    for (int lane = 0; lane < kLanes; ++lane) sum += w.v[lane];
+    return sum;
+}
+
+struct BlockResult {
+    real3 radiance{real(0.0F)};
+    RayCounts counts{word(0U), word(0U)};
+    FirstHit first;
+};
+
+BlockResult trace_block(const SceneView& view, const BlockPixels& pixels, mask in_image, const TileWork& work) {
+    BlockResult block;
+    const real x(__builtin_convertvector(pixels.x, vfloat));
+    const real y(__builtin_convertvector(pixels.y, vfloat));
+    const float per_width = 1.0F / static_cast<float>(view.frame.width);
+    const float per_height = 1.0F / static_cast<float>(view.frame.height);
+    for (std::uint32_t i = 0; i < work.sample_count; ++i) {
+        const vec2 offset = pixel_sample(work.first_sample + i);
+        const Ray ray =
+            pinhole_ray(view.frame.camera, (x + offset.x) * per_width, (y + offset.y) * per_height, view.frame.far_z);
+        FirstHit first;
+        block.radiance = block.radiance + whitted_radiance(view, ray, in_image, block.counts, first);
+        if (i == 0) block.first = first;
+    }
+    return block;
+}
+
+void add_to_film(const BlockPixels& pixels, const BlockResult& block, const TileWork& work) {
+    Film& film = work.film;
+    const float samples = static_cast<float>(work.sample_count);
+    const bool fresh = work.first_sample == 0;
+    for (int lane = 0; lane < kLanes; ++lane) {
+        const int x = pixels.x[lane];
+        const int y = pixels.y[lane];
+        if (x < work.region.x0 || x >= work.region.x1 || y < work.region.y0 || y >= work.region.y1) continue;
+        const std::size_t i = film.index(x, y);
+        auto& sum = film.radiance[i];
+        const std::array<float, 4> added{block.radiance.x.v[lane], block.radiance.y.v[lane], block.radiance.z.v[lane],
+                                         samples};
+        if (fresh) sum = added;
+        else
+            for (int c = 0; c < 4; ++c) sum[c] += added[c];
+        if (film.aovs == 0) continue;
+        if (film.aovs & AOV_COST)
+            film.cost[i] = (fresh ? 0.0F : film.cost[i]) + static_cast<float>(block.counts.rays.v[lane]);
+        if (!fresh) continue;
+        const bool missed = block.first.geometry.v[lane] == NONE;
+        const auto vec = [&](const real3& v) { return Vec3{v.x.v[lane], v.y.v[lane], v.z.v[lane]}; };
+        if (film.aovs & AOV_DEPTH) film.depth[i] = missed ? INFINITY : block.first.t.v[lane];
+        if (film.aovs & AOV_NORMAL) film.normal[i] = vec(block.first.normal);
+        if (film.aovs & AOV_ALBEDO) film.albedo[i] = vec(block.first.albedo);
+        if (film.aovs & AOV_OBJECT) {
+            film.object[i] = block.first.geometry.v[lane];
+            film.primitive[i] = block.first.primitive.v[lane];
+            film.material[i] = block.first.material.v[lane];
+        }
+    }
+}
+
+}  // namespace
+
+TileRays SUNDOG_KERNEL_PASTE(render_tile_, SUNDOG_KERNEL_LANES)(const TileWork& work) {
+    const SceneView view = view_of(work);
+    const vint width = vint{} + static_cast<int>(view.frame.width);
+    const vint height = vint{} + static_cast<int>(view.frame.height);
+    TileRays rays;
+    // Blocks are aligned to the image, whatever the region: a lane's bits can depend on the lanes beside it (Embree may
+    // trace a thin packet another way), so those must always be the same ones.
+    for (int y = work.region.y0 / kBlockHeight * kBlockHeight; y < work.region.y1; y += kBlockHeight) {
+        for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
+            const BlockPixels pixels(x, y);
+            vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
+            const BlockResult block = trace_block(view, pixels, word(inside) != word(0U), work);
+            rays.rays += sum_lanes(block.counts.rays);
+            rays.shadow_rays += sum_lanes(block.counts.shadow_rays);
+            add_to_film(pixels, block, work);
+        }
+    }
+    return rays;
+}
+
+}  // namespace sundog::cpu

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernel compiled for several widths, behind one function pointer each.
+#pragma once
+
+#include <cstdint>
+
+#include "device/film.h"
+#include "device/render_scene.h"
+
+namespace sundog::cpu {
+
+/// One tile's work. Pixels are traced in fixed blocks, so neighbouring tiles never change each other's bits.
+struct TileWork {
+    const RenderScene& scene;
+    const Frame& frame;
+    const void* traversal;  ///< RTCScene
+    PixelRect region;       ///< Pixels to write.
+    std::uint32_t first_sample, sample_count;
+    Film& film;
+};
+
+/// Rays that a tile took.
+struct TileRays {
+    std::uint64_t rays = 0, shadow_rays = 0;
+};
+
+using TileKernel = TileRays (*)(const TileWork& work);
+
+// The same function for each width, in units compiled for SSE4.2, AVX2 and AVX-512.
+TileRays render_tile_4(const TileWork& work);
+TileRays render_tile_8(const TileWork& work);
+TileRays render_tile_16(const TileWork& work);
+
+}  // namespace sundog::cpu
