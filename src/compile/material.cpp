@@ -115,6 +115,7 @@ kernel::Material compile_material(const scene::Material& m, std::span<const scen
     }
     if (m.illum >= 2 && !black(out.specular) && out.shininess > 0) out.flags |= kernel::MATERIAL_HIGHLIGHT;
     set_textures(m, textures, out);
+    if (transparent || out.opacity_texture.texture != kernel::NONE) out.flags |= kernel::MATERIAL_TRANSPARENT;
     return out;
 }
 
