@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+# Completion of sundog's commands, options and files for bash. Source it, or put it into
+# /usr/share/bash-completion/completions/sundog.
+
+_sundog() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]:-}
+  local commands="render view info compare bench help"
+  COMPREPLY=()
+  if [ "$COMP_CWORD" -eq 1 ]; then
+    mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
+    return
+  fi
+  case $before in
+    --device) mapfile -t COMPREPLY < <(compgen -W "auto cpu gpu" -- "$word"); return ;;
+    --shadows) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$word"); return ;;
+    --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm" -- "$word"); return ;;
+    --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
+    --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
+    -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
+    --threads | --spp | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain)
+      return ;;
+  esac
+  local options="--help" files=""
+  case $command in
+    render)
+      options+=" --output --format --size --device --threads --spp --max-depth --min-weight --shadows --no-shadows"
+      options+=" --time --frames --fps --exposure --aov --camera --pixel --quiet"
+      files='@(scene|obj|conf)' ;;
+    view) options+=" --size --device --threads --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
+    info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
+    compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm)' ;;
+    help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word"); return ;;
+  esac
+  if [[ $word == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+  elif [ -n "$files" ]; then
+    # Folders too, so that one can walk down to a file.
+    compopt -o filenames
+    mapfile -t COMPREPLY < <(shopt -s extglob; compgen -d -- "$word"; compgen -f -X "!*.$files" -- "$word")
+  fi
+}
+complete -F _sundog sundog
