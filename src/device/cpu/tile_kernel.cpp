@@ -145,34 +145,51 @@ BlockResult trace_block(const SceneView& view, const BlockPixels& pixels, mask i
     return block;
 }
 
-void add_to_film(const BlockPixels& pixels, const BlockResult& block, const TileWork& work) {
+/// A block's numbers in memory, lane by lane: picking lanes out of registers one at a time is slow.
+struct StoredLanes {
+    explicit StoredLanes(const BlockResult& block) {
+        lanes_of(r.data()) = block.radiance.x.v;
+        lanes_of(g.data()) = block.radiance.y.v;
+        lanes_of(b.data()) = block.radiance.z.v;
+    }
+    alignas(64) std::array<float, kLanes> r, g, b;
+};
+
+/// AOVs of one pixel: the first sample's, and the sum of costs.
+void add_aovs(Film& film, std::size_t i, const BlockResult& block, int lane, bool fresh) {
+    if (film.aovs & AOV_COST)
+        film.cost[i] = (fresh ? 0.0F : film.cost[i]) + static_cast<float>(block.counts.rays.v[lane]);
+    if (!fresh) return;
+    const bool missed = block.first.geometry.v[lane] == NONE;
+    const auto vec = [&](const real3& v) { return Vec3{v.x.v[lane], v.y.v[lane], v.z.v[lane]}; };
+    if (film.aovs & AOV_DEPTH) film.depth[i] = missed ? INFINITY : block.first.t.v[lane];
+    if (film.aovs & AOV_NORMAL) film.normal[i] = vec(block.first.normal);
+    if (film.aovs & AOV_ALBEDO) film.albedo[i] = vec(block.first.albedo);
+    if (film.aovs & AOV_OBJECT) {
+        film.object[i] = block.first.geometry.v[lane];
+        film.primitive[i] = block.first.primitive.v[lane];
+        film.material[i] = block.first.material.v[lane];
+    }
+}
+
+/// Adds the block whose first pixel is (x0, y0) to those of the film's pixels that the work may write.
+void add_to_film(int x0, int y0, const BlockResult& block, const TileWork& work) {
     Film& film = work.film;
+    const StoredLanes stored(block);
     const float samples = static_cast<float>(work.sample_count);
     const bool fresh = work.first_sample == 0;
-    for (int lane = 0; lane < kLanes; ++lane) {
-        const int x = pixels.x[lane];
-        const int y = pixels.y[lane];
-        if (x < work.region.x0 || x >= work.region.x1 || y < work.region.y0 || y >= work.region.y1) continue;
-        const std::size_t i = film.index(x, y);
-        auto& sum = film.radiance[i];
-        const std::array<float, 4> added{block.radiance.x.v[lane], block.radiance.y.v[lane], block.radiance.z.v[lane],
-                                         samples};
-        if (fresh) sum = added;
-        else
-            for (int c = 0; c < 4; ++c) sum[c] += added[c];
-        if (film.aovs == 0) continue;
-        if (film.aovs & AOV_COST)
-            film.cost[i] = (fresh ? 0.0F : film.cost[i]) + static_cast<float>(block.counts.rays.v[lane]);
-        if (!fresh) continue;
-        const bool missed = block.first.geometry.v[lane] == NONE;
-        const auto vec = [&](const real3& v) { return Vec3{v.x.v[lane], v.y.v[lane], v.z.v[lane]}; };
-        if (film.aovs & AOV_DEPTH) film.depth[i] = missed ? INFINITY : block.first.t.v[lane];
-        if (film.aovs & AOV_NORMAL) film.normal[i] = vec(block.first.normal);
-        if (film.aovs & AOV_ALBEDO) film.albedo[i] = vec(block.first.albedo);
-        if (film.aovs & AOV_OBJECT) {
-            film.object[i] = block.first.geometry.v[lane];
-            film.primitive[i] = block.first.primitive.v[lane];
-            film.material[i] = block.first.material.v[lane];
+    const int first_column = std::max(work.region.x0 - x0, 0);
+    const int columns = std::min(work.region.x1 - x0, kBlockWidth);
+    const int first_row = std::max(work.region.y0 - y0, 0);
+    const int rows = std::min(work.region.y1 - y0, kBlockHeight);
+    for (int row = first_row; row < rows; ++row) {
+        std::array<float, 4>* const sums = &film.radiance[film.index(x0 + first_column, y0 + row)] - first_column;
+        for (int column = first_column; column < columns; ++column) {
+            const auto lane = static_cast<std::size_t>(row * kBlockWidth + column);
+            std::array<float, 4>& sum = sums[column];
+            if (fresh) sum = {stored.r[lane], stored.g[lane], stored.b[lane], samples};
+            else sum = {sum[0] + stored.r[lane], sum[1] + stored.g[lane], sum[2] + stored.b[lane], sum[3] + samples};
+            if (film.aovs != 0) add_aovs(film, film.index(x0 + column, y0 + row), block, static_cast<int>(lane), fresh);
         }
     }
 }
@@ -193,7 +210,7 @@ TileRays SUNDOG_KERNEL_PASTE(render_tile_, SUNDOG_KERNEL_LANES)(const TileWork& 
             const BlockResult block = trace_block(view, pixels, word(inside) != word(0U), work);
             rays.rays += sum_lanes(block.counts.rays);
             rays.shadow_rays += sum_lanes(block.counts.shadow_rays);
-            add_to_film(pixels, block, work);
+            add_to_film(x, y, block, work);
         }
     }
     return rays;
