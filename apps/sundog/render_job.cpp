@@ -72,10 +72,9 @@ private:
 int render_image(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage) {
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
-    output::ProgressLine line(!arguments.quiet);
-    const RenderResult result = stage.session.render(
-        frame, static_cast<std::uint32_t>(arguments.samples), [&](const Progress& progress) { line.show(progress); },
-        interrupt.flag());
+    output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
+    const RenderResult result =
+        stage.session.render(frame, static_cast<std::uint32_t>(arguments.samples), std::ref(line), interrupt.flag());
     line.clear();
     write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
                   layers_of(result.film, arguments.aovs));
@@ -98,7 +97,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     FrameWriter writer(plan, {static_cast<int>(first.params.width), static_cast<int>(first.params.height)},
                        arguments.frames_per_second);
     const InterruptGuard interrupt;
-    output::ProgressLine line(!arguments.quiet);
+    output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
