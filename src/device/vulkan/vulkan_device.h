@@ -2,8 +2,10 @@
 // The Vulkan device: the same kernel as SPIR-V over our own wide BVH. Found at run time.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "device/device.h"
@@ -19,7 +21,13 @@ struct VulkanAdapter {
 /// All adapters of this machine; empty where there is no Vulkan loader or driver (`why` then says so).
 std::vector<VulkanAdapter> vulkan_adapters(std::string& why);
 
+/// How to open an adapter.
+struct VulkanOptions {
+    /// If set, the Khronos validation layer is switched on where it is installed, and its messages come here.
+    std::function<void(std::string_view)> on_validation_message;
+};
+
 /// Opens adapter number `index` of vulkan_adapters(). Errors: DeviceError.
-std::unique_ptr<Device> make_vulkan_device(std::size_t index);
+std::unique_ptr<Device> make_vulkan_device(std::size_t index, const VulkanOptions& options = {});
 
 }  // namespace sundog

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/vulkan/scene_buffers.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/diagnostics.h"
+
+namespace sundog::vulkan {
+namespace {
+
+template <class T>
+std::span<const std::byte> bytes_of(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+/// "3.5 MiB"
+std::string mebibytes(std::uint64_t bytes) {
+    const std::uint64_t tenths = (bytes * 10 + (std::uint64_t{1} << 19U)) >> 20U;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " MiB";
+}
+
+std::string too_large(const std::string& name, std::uint64_t bytes, const Adapter& adapter) {
+    const std::uint64_t limit = std::min(adapter.max_storage_buffer_bytes, adapter.max_allocation_bytes);
+    if (bytes <= limit) return {};
+    return "the array '" + name + "' takes " + mebibytes(bytes) + ", this GPU's shaders read arrays of at most " +
+           mebibytes(limit) + "; use the CPU";
+}
+
+}  // namespace
+
+std::vector<std::string> arrays_too_large(const RenderScene& scene, const Adapter& adapter) {
+    std::vector<std::string> sentences;
+    const auto add = [&](const std::string& name, std::uint64_t bytes) {
+        if (auto sentence = too_large(name, bytes, adapter); !sentence.empty())
+            sentences.push_back(std::move(sentence));
+    };
+#define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAY(type, name, binding) add(#name, scene.name.size() * sizeof(scene.name[0]));
+#include "kernel/arrays.h"
+#undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_SCENE_ONLY
+    std::uint64_t primitives = 0;
+    for (const kernel::Geometry& geometry : scene.geometries) {
+        if (geometry.kind != kernel::GEOMETRY_PLANE) primitives += geometry.primitive_count;
+    }
+    add("shapes of the hierarchy", primitives * sizeof(kernel::LeafShape));
+    return sentences;
+}
+
+SceneBuffers::SceneBuffers(Gpu& gpu, Pipelines& pipelines, const RenderScene& scene)
+    : instances_move_((scene.features & kernel::FEATURE_INSTANCES) != 0), hierarchy_(build_hierarchy(scene)) {
+    const auto upload = [&](std::uint32_t binding, std::span<const std::byte> content, const std::string& name) {
+        if (const auto sentence = too_large(name, content.size(), gpu.adapter()); !sentence.empty()) {
+            throw DeviceError(sentence);
+        }
+        Buffer buffer = make_storage(gpu, content, name);
+        pipelines.bind(binding, buffer);
+        return buffer;
+    };
+#define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAY(type, name, binding) arrays_.push_back(upload(binding, bytes_of(scene.name), #name));
+#include "kernel/arrays.h"
+#undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_SCENE_ONLY
+    nodes_ = upload(kernel::BINDING_NODES, bytes_of(hierarchy_.nodes), "nodes of the hierarchy");
+    shapes_ = upload(kernel::BINDING_LEAF_SHAPES, bytes_of(hierarchy_.shapes), "shapes of the hierarchy");
+    refs_ = upload(kernel::BINDING_LEAF_REFS, bytes_of(hierarchy_.refs), "references of the hierarchy");
+    hierarchy_.nodes = {};
+    hierarchy_.shapes = {};
+    hierarchy_.refs = {};
+}
+
+void SceneBuffers::write_or_grow(Gpu& gpu, Pipelines& pipelines, Buffer& buffer, std::uint32_t binding,
+                                 std::span<const std::byte> content, VkBufferUsageFlags usage,
+                                 const std::string& name) {
+    if (!buffer.get() || buffer.bytes() < content.size()) {
+        buffer = Buffer(gpu, content.size(), usage, Memory::upload, name);
+        pipelines.bind(binding, buffer);
+    }
+    if (!content.empty()) std::memcpy(buffer.mapped().data(), content.data(), content.size());
+}
+
+std::uint32_t SceneBuffers::set_frame(Gpu& gpu, Pipelines& pipelines, const Frame& frame) {
+    constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    std::uint32_t depth = hierarchy_.depth;
+    std::vector<kernel::TopRef> top_refs;
+    if (instances_move_) {
+        TopLevel top = build_top_level(hierarchy_, frame);
+        write(gpu, nodes_, bytes_of(top.nodes));
+        top_refs = std::move(top.refs);
+        // A level leaves one group waiting at most; where the top level meets hierarchies, one more.
+        depth += top.depth + 1;
+    }
+    write_or_grow(gpu, pipelines, params_, kernel::BINDING_FRAME, std::as_bytes(std::span(&frame.params, 1)),
+                  VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "frame");
+    write_or_grow(gpu, pipelines, lights_, kernel::BINDING_LIGHTS, bytes_of(frame.lights), storage, "lights");
+    write_or_grow(gpu, pipelines, instances_, kernel::BINDING_INSTANCES, bytes_of(frame.instances), storage,
+                  "instances");
+    write_or_grow(gpu, pipelines, top_refs_, kernel::BINDING_TOP_REFS, bytes_of(top_refs), storage,
+                  "references of the top level");
+    // Few different sizes, so that few variants of the shader are compiled.
+    return (std::max(depth, 1U) + 3) / 4 * 4;
+}
+
+std::size_t SceneBuffers::memory_bytes() const {
+    std::size_t bytes = nodes_.bytes() + shapes_.bytes() + refs_.bytes() + params_.bytes() + lights_.bytes() +
+                        instances_.bytes() + top_refs_.bytes();
+    for (const Buffer& buffer : arrays_) bytes += buffer.bytes();
+    return bytes;
+}
+
+}  // namespace sundog::vulkan

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// One invocation traces one pixel of the dispatch's rectangle, all of its samples one after the other.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+
+#include "device/vulkan/shaders/scene.glsl"
+#include "device/vulkan/shaders/trace.glsl"
+#include "kernel/integrators/whitted.h"
+#include "kernel/cameras/pinhole.h"
+
+layout(local_size_x = GROUP_WIDTH, local_size_y = GROUP_HEIGHT) in;
+
+layout(scalar, set = 0, binding = BINDING_RADIANCE) restrict buffer radiance_buffer { vec4 radiance_sums[]; };
+layout(scalar, set = 0, binding = BINDING_AOVS) restrict buffer aovs_buffer { PixelAovs pixel_aovs[]; };
+/// Low and high halves of the number of rays, then of shadow rays.
+layout(scalar, set = 0, binding = BINDING_COUNTERS) restrict buffer counters_buffer { uint counters[4]; };
+layout(scalar, push_constant) uniform dispatch_block { Dispatch work; };
+
+void count(uint place, uint rays) {
+    uint sum = subgroupAdd(rays);
+    if (subgroupElect()) {
+        uint before = atomicAdd(counters[place], sum);
+        if (before > 0xffffffffu - sum) atomicAdd(counters[place + 1u], 1u);
+    }
+}
+
+void main() {
+    RayCounts counts = RayCounts(0u, 0u);
+    if (gl_GlobalInvocationID.x < work.width && gl_GlobalInvocationID.y < work.height) {
+        uint pixel = gl_GlobalInvocationID.y * work.width + gl_GlobalInvocationID.x;
+        vec2 corner = vec2(work.x0 + gl_GlobalInvocationID.x, work.y0 + gl_GlobalInvocationID.y);
+        vec2 per_pixel = 1.0f / vec2(frame.width, frame.height);
+        // Sums go on from where the samples before left them: they come out the same however samples are split.
+        vec4 sum = work.first_sample == 0u ? vec4(0.0f) : radiance_sums[pixel];
+        for (uint i = 0u; i < work.sample_count; ++i) {
+            uint index = work.first_sample + i;
+            vec2 place = (corner + pixel_sample(index)) * per_pixel;
+            Ray ray = pinhole_ray(frame.camera, place.x, place.y, frame.far_z);
+            FirstHit first;
+            sum += vec4(whitted_radiance(ray, true, counts, first), 1.0f);
+            if (frame_aovs != 0u && index == 0u) {
+                float depth = first.geometry == NONE ? uintBitsToFloat(0x7f800000u) : first.t;
+                pixel_aovs[pixel] = PixelAovs(depth, first.normal, first.albedo, first.geometry, first.primitive,
+                                              first.material, 0.0f);
+            }
+        }
+        radiance_sums[pixel] = sum;
+        if ((frame_aovs & AOV_COST) != 0u) pixel_aovs[pixel].cost = float(counts.rays);
+    }
+    count(0u, counts.rays);
+    count(2u, counts.shadow_rays);
+}

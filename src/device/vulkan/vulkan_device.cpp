@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/vulkan/vulkan_device.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "base/diagnostics.h"
+#include "device/vulkan/chunks.h"
+#include "device/vulkan/film_buffers.h"
+#include "device/vulkan/gpu.h"
+#include "device/vulkan/pipelines.h"
+#include "device/vulkan/scene_buffers.h"
+#include "device/vulkan/shaders/whitted_spirv.h"
+
+namespace sundog {
+namespace {
+
+using namespace vulkan;
+
+/// A piece of a RenderWork that one dispatch computes.
+struct Piece {
+    PixelRect rect;
+    std::uint32_t first_sample;
+    std::uint32_t sample_count;
+};
+
+class VulkanDevice final : public Device {
+public:
+    VulkanDevice(std::size_t index, const VulkanOptions& options)
+        : gpu_(index, options.on_validation_message),
+          pipelines_(gpu_, whitted_spirv, kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
+
+    [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
+
+    [[nodiscard]] std::vector<std::string> unsupported(const RenderScene& scene) const override {
+        return arrays_too_large(scene, gpu_.adapter());
+    }
+
+    void load(std::shared_ptr<const RenderScene> scene) override {
+        // The old scene goes first: both may not fit.
+        buffers_.reset();
+        scene_ = std::move(scene);
+        pace_ = Pace();
+        buffers_.emplace(gpu_, pipelines_, *scene_);
+    }
+
+    [[nodiscard]] std::size_t memory_bytes() const override { return buffers_ ? buffers_->memory_bytes() : 0; }
+
+    RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
+        if (!buffers_) throw DeviceError("no scene was loaded");
+        RenderStats stats;
+        if (work.sample_count == 0) return stats;
+        Variant variant;
+        variant.stack_size = buffers_->set_frame(gpu_, pipelines_, frame);
+        variant.aovs = film.aovs;
+        variant.features =
+            (frame.params.features & ~kernel::FEATURE_INSTANCES) | (scene_->features & kernel::FEATURE_INSTANCES);
+        const VkPipeline pipeline = pipelines_.get(variant);
+        const std::uint64_t most_pixels = FilmBuffers::most_pixels(gpu_.adapter(), film.aovs);
+        for (Chunks chunks(work.region); !chunks.done();) {
+            Piece piece{chunks.next(std::min(pace_.paths(), most_pixels)), work.first_sample, 0};
+            const std::uint32_t end = work.first_sample + work.sample_count;
+            while (piece.first_sample < end) {
+                if (stop.requested()) {
+                    stats.complete = false;
+                    return stats;
+                }
+                const std::uint64_t pixels = pixels_of(piece);
+                piece.sample_count = static_cast<std::uint32_t>(
+                    std::clamp<std::uint64_t>(pace_.paths() / pixels, 1, end - piece.first_sample));
+                const RayTotals totals = render_piece(pipeline, piece, film);
+                stats.rays += totals.rays;
+                stats.shadow_rays += totals.shadow_rays;
+                piece.first_sample += piece.sample_count;
+            }
+        }
+        return stats;
+    }
+
+private:
+    static std::uint64_t pixels_of(const Piece& piece) {
+        return static_cast<std::uint64_t>(piece.rect.width()) * static_cast<std::uint64_t>(piece.rect.height());
+    }
+
+    RayTotals render_piece(VkPipeline pipeline, const Piece& piece, Film& film) {
+        film_buffers_.reserve(gpu_, pipelines_, pixels_of(piece), film.aovs);
+        const bool continues = piece.first_sample != 0;
+        if (continues) film_buffers_.fetch(film, piece.rect);
+        const PixelRect& rect = piece.rect;
+        const kernel::Dispatch dispatch{static_cast<std::uint32_t>(rect.x0),
+                                        static_cast<std::uint32_t>(rect.y0),
+                                        static_cast<std::uint32_t>(rect.width()),
+                                        static_cast<std::uint32_t>(rect.height()),
+                                        piece.first_sample,
+                                        piece.sample_count};
+        const auto start = std::chrono::steady_clock::now();
+        gpu_.run([&](VkCommandBuffer commands) {
+            const DeviceFunctions& f = gpu_.functions();
+            film_buffers_.record_before(gpu_, commands, rect, continues);
+            f.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline);
+            const VkDescriptorSet set = pipelines_.set();
+            f.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_.layout(), 0, 1, &set, 0,
+                                      nullptr);
+            f.vkCmdPushConstants(commands, pipelines_.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(dispatch),
+                                 &dispatch);
+            f.vkCmdDispatch(commands, (dispatch.width + kernel::GROUP_WIDTH - 1) / kernel::GROUP_WIDTH,
+                            (dispatch.height + kernel::GROUP_HEIGHT - 1) / kernel::GROUP_HEIGHT, 1);
+            film_buffers_.record_after(gpu_, commands, rect, film.aovs != 0);
+        });
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        pace_.learn(pixels_of(piece) * piece.sample_count, seconds.count());
+        return film_buffers_.store(gpu_, film, rect, piece.first_sample);
+    }
+
+    Gpu gpu_;
+    Pipelines pipelines_;
+    std::shared_ptr<const RenderScene> scene_;
+    std::optional<SceneBuffers> buffers_;
+    FilmBuffers film_buffers_;
+    Pace pace_;
+};
+
+}  // namespace
+
+std::vector<VulkanAdapter> vulkan_adapters(std::string& why) {
+    std::vector<VulkanAdapter> adapters;
+    why.clear();
+    try {
+        const Instance instance;
+        for (VkPhysicalDevice device : instance.physical_devices()) {
+            Adapter adapter = probe(instance, device);
+            adapters.push_back({std::move(adapter.info), std::move(adapter.why_unusable)});
+        }
+        if (adapters.empty()) why = "no Vulkan driver found a GPU";
+    } catch (const DeviceError& error) {
+        why = error.what();
+    }
+    return adapters;
+}
+
+std::unique_ptr<Device> make_vulkan_device(std::size_t index, const VulkanOptions& options) {
+    return std::make_unique<VulkanDevice>(index, options);
+}
+
+}  // namespace sundog

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole pictures, CPU against GPU: at most one pixel in a thousand may differ by more than 2/255 in sRGB, and only
+// where the CPU's picture has an edge, on which rounding decides which side a pixel's ray falls.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "device/cpu/cpu_device.h"
+#include "test_devices.h"
+
+namespace sundog::parity {
+namespace {
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+constexpr double kAllowedFraction = 1e-3;
+constexpr int kAllowedDifference = 2;
+constexpr std::uint32_t kAovs =
+    kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_ALBEDO | kernel::AOV_OBJECT | kernel::AOV_COST;
+
+int srgb8(float linear) {
+    const float v = std::clamp(linear, 0.0F, 1.0F);
+    const float encoded = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+    return static_cast<int>(std::lround(encoded * 255));
+}
+
+/// The largest difference of a channel, in units of 1/255 of sRGB.
+int difference(Vec3 a, Vec3 b) {
+    const auto channel = [](float p, float q) { return std::abs(srgb8(p) - srgb8(q)); };
+    return std::max({channel(a.x, b.x), channel(a.y, b.y), channel(a.z, b.z)});
+}
+
+/// Whether object, depth, normal or colour vary among a pixel and its neighbours.
+bool on_edge(const Film& film, int x, int y) {
+    const std::size_t here = film.index(x, y);
+    for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, kHeight - 1); ++ny) {
+        for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, kWidth - 1); ++nx) {
+            const std::size_t there = film.index(nx, ny);
+            if (film.object[there] != film.object[here]) return true;
+            if (film.object[here] == kernel::NONE) continue;
+            if (std::fabs(film.depth[there] - film.depth[here]) > 0.05F * film.depth[here]) return true;
+            if (dot(film.normal[there], film.normal[here]) < 0.98F) return true;
+            if (difference(film.mean(nx, ny), film.mean(x, y)) > 4) return true;
+        }
+    }
+    return false;
+}
+
+class ImageParity : public testing::TestWithParam<TestScene> {};
+
+// Catches whatever the GPU computes otherwise than the CPU: shading, textures, shadows, mirrors, glass, motion,
+// clipping, culling, and a hierarchy that loses or displaces things. Validation messages fail it too.
+TEST_P(ImageParity, CpuAndGpuDrawTheSamePicture) {
+    std::vector<std::string> messages;
+    std::string why;
+    const auto gpu = open_gpu(messages, why);
+    if (!gpu) GTEST_SKIP() << "no GPU to compare with: " << why;
+    const auto cpu = make_cpu_device({.threads = 0, .lanes = 4});
+    const Prepared prepared = prepare(GetParam(), kWidth, kHeight);
+    gpu->load(prepared.scene);
+    cpu->load(prepared.scene);
+    const Film from_gpu = render(*gpu, prepared.frame, 1, kAovs);
+    const Film from_cpu = render(*cpu, prepared.frame, 1, kAovs);
+
+    int different = 0;
+    int other_objects = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const std::size_t i = from_cpu.index(x, y);
+            if (difference(from_cpu.mean(x, y), from_gpu.mean(x, y)) > kAllowedDifference) {
+                ++different;
+                EXPECT_TRUE(on_edge(from_cpu, x, y)) << "pixel " << x << ", " << y;
+            }
+            if (from_cpu.object[i] != from_gpu.object[i]) {
+                ++other_objects;
+                continue;
+            }
+            EXPECT_EQ(from_cpu.material[i], from_gpu.material[i]);
+            if (from_cpu.object[i] == kernel::NONE) continue;
+            EXPECT_NEAR(from_cpu.depth[i], from_gpu.depth[i], 1e-4F * from_cpu.depth[i]);
+        }
+    }
+    const double allowed = kAllowedFraction * kWidth * kHeight;
+    EXPECT_LE(different, allowed);
+    EXPECT_LE(other_objects, allowed);
+    for (const std::string& message : messages) ADD_FAILURE() << message;
+}
+
+std::string test_name(const testing::TestParamInfo<TestScene>& info) {
+    std::string name = info.param.name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ImageParity, testing::ValuesIn(test_scenes()), test_name);
+
+}  // namespace
+
+/// How GoogleTest shows the parameter.
+void PrintTo(const TestScene& test, std::ostream* stream) { *stream << test.name; }
+
+}  // namespace sundog::parity
