@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
+#include <fstream>
+#include <new>
 #include <system_error>
 
 #include "base/scan.h"
@@ -17,41 +14,18 @@ namespace {
 
 constexpr std::size_t kSentinelBytes = 2;
 
-/// A file descriptor that closes itself.
-class Descriptor {
-public:
-    // O_NONBLOCK: opening a pipe that nobody writes must not wait for ever.
-    explicit Descriptor(const std::filesystem::path& file)
-        : fd_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    [[nodiscard]] int get() const { return fd_; }
-
-private:
-    int fd_;
-};
-
+/// The machine's memory, where the system tells it; else without bound.
 std::size_t physical_memory_bytes() {
-    const long pages = ::sysconf(_SC_PHYS_PAGES);
-    const long page_bytes = ::sysconf(_SC_PAGESIZE);
-    return pages > 0 && page_bytes > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page_bytes)
-                                       : SIZE_MAX;
+    std::ifstream in("/proc/meminfo");
+    std::string label;
+    std::size_t kibibytes = 0;
+    return in >> label >> kibibytes && label == "MemTotal:" ? kibibytes * 1024 : SIZE_MAX;
 }
 
 /// Reads up to `size` bytes; returns how many there were.
-std::size_t read_fully(int fd, char* to, std::size_t size, const std::shared_ptr<const std::string>& name) {
-    std::size_t done = 0;
-    while (done < size) {
-        const ssize_t got = ::read(fd, to + done, std::min<std::size_t>(size - done, std::size_t{1} << 30U));
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail_file(name, "can't read the file: " + std::generic_category().message(errno));
-        if (got == 0) break;
-        done += static_cast<std::size_t>(got);
-    }
-    return done;
+std::size_t read_up_to(std::ifstream& in, char* to, std::size_t size) {
+    in.read(to, static_cast<std::streamsize>(size));
+    return static_cast<std::size_t>(in.gcount());
 }
 
 void refuse_binary(std::string_view start, const std::shared_ptr<const std::string>& name) {
@@ -87,20 +61,22 @@ void fail_file(const std::shared_ptr<const std::string>& name, std::string messa
 
 SourceText read_text_file(const std::filesystem::path& file) {
     auto name = std::make_shared<const std::string>(file.string());
-    const Descriptor descriptor(file);
-    if (descriptor.get() < 0) {
-        if (errno == ENOENT) fail_file(name, "no such file");
-        fail_file(name, "can't open the file: " + std::generic_category().message(errno));
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found) fail_file(name, "no such file");
+    if (error) fail_file(name, "can't open the file: " + error.message());
+    if (std::filesystem::is_directory(status)) fail_file(name, "this is a folder", "name a file");
+    // Reading a device may never end.
+    if (!std::filesystem::is_regular_file(status))
+        fail_file(name, "not a regular file", "devices and pipes are not read");
+    std::ifstream in(file, std::ios::binary);
+    const std::size_t size = std::filesystem::file_size(file, error);
+    if (!in || error) {
+        fail_file(name, "can't open the file: " +
+                            (error ? error : std::error_code(errno, std::generic_category())).message());
     }
-    struct stat status {};
-    if (::fstat(descriptor.get(), &status) != 0)
-        fail_file(name, "can't open the file: " + std::generic_category().message(errno));
-    if (S_ISDIR(status.st_mode)) fail_file(name, "this is a folder", "name a file");
-    if (!S_ISREG(status.st_mode)) fail_file(name, "not a regular file", "devices and pipes are not read");
-
-    const auto size = static_cast<std::size_t>(status.st_size);
     char start[4096];
-    const std::size_t start_size = read_fully(descriptor.get(), start, std::min(size, sizeof start), name);
+    const std::size_t start_size = read_up_to(in, start, std::min(size, sizeof start));
     refuse_binary({start, start_size}, name);
     if (size > physical_memory_bytes() / 2)
         fail_file(name,
@@ -114,7 +90,7 @@ SourceText read_text_file(const std::filesystem::path& file) {
     }
     std::copy_n(start, start_size, bytes.get());
     const std::size_t rest = size > start_size ? size - start_size : 0;
-    const std::size_t total = start_size + read_fully(descriptor.get(), bytes.get() + start_size, rest, name);
+    const std::size_t total = start_size + read_up_to(in, bytes.get() + start_size, rest);
     return make_text(std::move(name), bytes, total);
 }
 

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <string>
 
+#include "base/paths.h"
 #include "base/text_file.h"
 #include "import/obj/obj_import.h"
-#include "import/obj/paths.h"
 #include "import/orbit/orbit_import.h"
 #include "import/orbit/orbit_keys.h"
 #include "scene/bounds.h"
+#include "scene/files.h"
 
 namespace sundog::import {
 namespace {
@@ -77,7 +78,7 @@ scene::Scene import_default_scene(const std::filesystem::path& file, const Warni
         fail("missing defaultScene '" + config.default_scene + "'", "looked for " + scene_file.string());
     scene::Scene scene = ending == ".obj" ? import_model(scene_file, warn) : import_orbit_scene(scene_file, warn);
     fill_open_settings(scene.settings, config.settings);
-    scene.files.push_back(file.string());
+    scene::add_file(scene, file);
     return scene;
 }
 
@@ -95,7 +96,7 @@ scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& 
     if (!is_file(config_file)) return import_orbit_scene(file, warn);
     scene::Scene scene = import_orbit_scene(file, warn);
     fill_open_settings(scene.settings, import_orbit_config(config_file, warn).settings);
-    add_file(scene, config_file);
+    scene::add_file(scene, config_file);
     return scene;
 }
 

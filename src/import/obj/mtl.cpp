@@ -248,14 +248,4 @@ void read_mtl(const SourceText& source, const std::filesystem::path& file, scene
     MtlReader(source, file, scene, warn).run();
 }
 
-Material missing_material(std::string name, SourceLocation where) {
-    Material material;
-    material.name = std::move(name);
-    material.where = std::move(where);
-    material.diffuse = {1, 0, 1};
-    material.checker = scene::Checker{8, 8, {0, 0, 0}};
-    material.illum = 1;
-    return material;
-}
-
 }  // namespace sundog::import

@@ -16,7 +16,4 @@ namespace sundog::import {
 void read_mtl(const SourceText& source, const std::filesystem::path& file, scene::Scene& scene,
               const WarningSink& warn);
 
-/// A magenta material (magenta and black squares where there are texture coordinates) in place of one that is missing.
-scene::Material missing_material(std::string name, SourceLocation where);
-
 }  // namespace sundog::import

@@ -6,8 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "import/obj/paths.h"
+#include "base/paths.h"
 #include "import/obj/textures.h"
+#include "scene/stand_in.h"
 
 namespace sundog::import {
 namespace {
@@ -27,7 +28,8 @@ bool on_or_off(LineCursor& cursor, std::string_view option) {
     const char* const at = cursor.here();
     const std::string expected = std::string(option) + " on or " + std::string(option) + " off";
     const std::string_view word = cursor.token(expected);
-    if (word != "on" && word != "off") cursor.fail(at, "expected on or off, found " + in_quotes(word), expected);
+    if (word != "on" && word != "off")
+        cursor.fail(at, "expected on or off, found " + in_quotes(word), "expected " + expected);
     return word == "on";
 }
 
@@ -122,7 +124,7 @@ scene::TextureUse read_texture_use(LineCursor& cursor, MapKind kind, const std::
     }
     const bool shown = kind == MapKind::color;
     warn(cursor.warning(at, fault, shown ? "a checker of magenta and black stands in" : "the map is left off"), name);
-    if (shown) use.texture = missing_texture(scene);
+    if (shown) use.texture = scene::missing_texture(scene);
     return use;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <optional>
 
+#include "base/scan.h"
 #include "import/obj/obj_build.h"
 
 namespace sundog::import {
@@ -11,6 +13,7 @@ namespace {
 /// A corner's index that refers to nothing.
 struct BadIndex {
     std::uint32_t face;
+    std::uint32_t corner;  ///< Of the face, from 0.
     const char* kind;
     std::int64_t written;  ///< From 1; 0 or less: before the file's first vertex.
     std::uint32_t count;   ///< Vertices of the kind in the file.
@@ -31,15 +34,16 @@ bool resolve(std::uint32_t& index, std::uint32_t chunk_start, std::uint32_t coun
 std::optional<BadIndex> resolve_chunk(ObjChunk& chunk, const ObjFile::Start& start, const ObjFile::Start& end) {
     std::uint32_t corner = 0;
     for (std::uint32_t face = 0; face < chunk.face_ends.size(); ++face) {
+        const std::uint32_t first = corner;
         for (; corner < chunk.face_ends[face]; ++corner) {
             ObjCorner& c = chunk.corners[corner];
             std::int64_t written = 0;
             if (!resolve(c.position, start.position, end.position, written))
-                return BadIndex{face, "vertex", written, end.position};
+                return BadIndex{face, corner - first, "vertex", written, end.position};
             if (!resolve(c.texcoord, start.texcoord, end.texcoord, written))
-                return BadIndex{face, "texture vertex", written, end.texcoord};
+                return BadIndex{face, corner - first, "texture vertex", written, end.texcoord};
             if (!resolve(c.normal, start.normal, end.normal, written))
-                return BadIndex{face, "normal", written, end.normal};
+                return BadIndex{face, corner - first, "normal", written, end.normal};
         }
     }
     return std::nullopt;
@@ -64,6 +68,17 @@ void add_up(ObjFile& file) {
     file.starts.push_back(sum);
 }
 
+/// Where in a face's line its corner number `corner` stands.
+const char* find_corner(std::string_view line, std::uint32_t corner) {
+    std::size_t at = 0;
+    const auto skip = [&](bool separators) {
+        while (at < line.size() && separators == (ends_token(line[at]) || line[at] == '\\')) ++at;
+    };
+    skip(true);
+    for (std::uint32_t words = 0; words <= corner; ++words) skip(false), skip(true);
+    return line.data() + at;
+}
+
 [[noreturn]] void fail_index(const ObjFile& file, std::size_t chunk, const BadIndex& bad) {
     const ObjFaceLine line = find_face_line(file.chunks[chunk], bad.face);
     const std::string kind = bad.kind;
@@ -71,7 +86,7 @@ void add_up(ObjFile& file) {
                                           : "the negative index of a " + kind + " reaches before the first one";
     throw InputError(diagnose(
         Severity::error, file.source, line.text, line_number(file, chunk, line.line),
-        line.text.data() + line.text.find_first_not_of(" \t\r\n"), std::move(message),
+        find_corner(line.text, bad.corner), std::move(message),
         bad.count == 0 ? "the file has none" : "the file has " + std::to_string(bad.count) + ", counted from 1"));
 }
 

@@ -8,9 +8,12 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/paths.h"
+#include "import/obj/library_names.h"
 #include "import/obj/mtl.h"
 #include "import/obj/obj_build.h"
-#include "import/obj/paths.h"
+#include "scene/files.h"
+#include "scene/stand_in.h"
 
 namespace sundog::import {
 namespace {
@@ -254,14 +257,14 @@ private:
 
 void import_obj(const std::filesystem::path& file, scene::Scene& scene, const WarningSink& warn) {
     const SourceText source = read_text_file(file);
-    add_file(scene, file);
+    scene::add_file(scene, file);
     ObjFile scanned = scan_obj_file(source);
     ObjImporter(scanned, file, scene, warn).run();
 }
 
 void import_mtl(const std::filesystem::path& file, scene::Scene& scene, const WarningSink& warn) {
     const SourceText source = read_text_file(file);
-    add_file(scene, file);
+    scene::add_file(scene, file);
     read_mtl(source, file, scene, warn);
 }
 

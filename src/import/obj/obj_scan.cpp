@@ -53,6 +53,7 @@ private:
     void statement() {
         skip_blanks();
         if (at_line_end()) return;
+        statement_begin_ = at_;
         const char first = *at_;
         if (first == 'v') {
             const char second = at_[1];
@@ -227,7 +228,7 @@ private:
 
     void face() {
         ++chunk_.statement_count;
-        const char* const keyword = at_;
+        const char* const keyword = statement_begin_;
         const std::size_t first_corner = chunk_.corners.size();
         bool all_texcoords = true, all_normals = true, any_texcoord = false, any_normal = false;
         for (skip_blanks(); !at_line_end(); skip_blanks()) {
@@ -325,6 +326,7 @@ private:
     const char* at_;
     const char* end_;
     const char* line_begin_ = nullptr;
+    const char* statement_begin_ = nullptr;
     const char* corner_ = nullptr;
     std::uint32_t line_ = 0;        ///< Newlines passed.
     std::uint32_t line_first_ = 0;  ///< Newlines before the logical line.

@@ -31,13 +31,14 @@ void PolygonCutter::cut_quad(std::span<const Vec3> corners) {
     // In a quad with an inward corner, only the diagonal through that corner lies inside; across the other one the two
     // triangles face against each other.
     const Vec3 diagonal = corners[2] - corners[0];
-    const Vec3 one = cross(corners[1] - corners[0], diagonal);
-    const Vec3 other = cross(diagonal, corners[3] - corners[0]);
-    if (dot(one, other) > 0) return cut_fan(4);
+    const float one_way = dot(cross(corners[1] - corners[0], diagonal), cross(diagonal, corners[3] - corners[0]));
     const Vec3 other_diagonal = corners[3] - corners[1];
-    const Vec3 third = cross(corners[2] - corners[1], other_diagonal);
-    const Vec3 fourth = cross(other_diagonal, corners[0] - corners[1]);
-    if (!(dot(third, fourth) > 0)) return cut_fan(4);  // No area, or it crosses itself.
+    const float other_way =
+        dot(cross(corners[2] - corners[1], other_diagonal), cross(other_diagonal, corners[0] - corners[1]));
+    // Where both are possible, a straight corner still makes a sliver of one. Where none is (no area, or it crosses
+    // itself), any will do.
+    constexpr float kSliver = 1e-5F;
+    if (!(other_way > 0) || one_way > kSliver * other_way) return cut_fan(4);
     triangles_.push_back({1, 2, 3});
     triangles_.push_back({1, 3, 0});
 }

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <optional>
 
-#include "import/obj/paths.h"
 #include "output/image.h"
+#include "scene/files.h"
 
 namespace sundog::import {
 namespace {
-
-constexpr const char* kMissingName = "(missing texture)";
 
 std::optional<scene::Index> find_texture(const scene::Scene& scene, const std::string& name, bool srgb) {
     const auto it = std::find_if(scene.textures.begin(), scene.textures.end(),
@@ -40,18 +38,7 @@ scene::Index texture_from_file(scene::Scene& scene, const std::filesystem::path&
     output::Rgba8 pixels = output::read_rgba8(file);
     texture.width = pixels.width, texture.height = pixels.height;
     texture.rgba8 = std::move(pixels.pixels);
-    add_file(scene, file);
-    return append(scene, std::move(texture));
-}
-
-scene::Index missing_texture(scene::Scene& scene) {
-    if (const auto known = find_texture(scene, kMissingName, true)) return *known;
-    constexpr std::uint32_t kSize = 16;
-    constexpr std::uint32_t kMagenta = 0xffff00ffU;
-    constexpr std::uint32_t kBlack = 0xff000000U;
-    scene::Texture texture{kMissingName, {}, kSize, kSize, {}, true};
-    for (std::uint32_t y = 0; y < kSize; ++y)
-        for (std::uint32_t x = 0; x < kSize; ++x) texture.rgba8.push_back((x / 2 + y / 2) % 2 == 0 ? kMagenta : kBlack);
+    scene::add_file(scene, file);
     return append(scene, std::move(texture));
 }
 

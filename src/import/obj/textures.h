@@ -14,7 +14,4 @@ namespace sundog::import {
 scene::Index texture_from_file(scene::Scene& scene, const std::filesystem::path& file, bool srgb,
                                const SourceLocation& where);
 
-/// Index of the stand-in for textures that are missing: magenta and black squares, hard to overlook.
-scene::Index missing_texture(scene::Scene& scene);
-
 }  // namespace sundog::import

@@ -10,12 +10,13 @@
 #include <utility>
 #include <vector>
 
-#include "import/obj/mtl.h"
+#include "base/paths.h"
 #include "import/obj/obj_import.h"
-#include "import/obj/paths.h"
 #include "import/orbit/object_motion.h"
 #include "import/orbit/orbit_keys.h"
 #include "import/orbit/orbit_values.h"
+#include "scene/files.h"
+#include "scene/stand_in.h"
 
 namespace sundog::import {
 namespace {
@@ -69,7 +70,7 @@ public:
     SceneReader(const std::filesystem::path& file, const WarningSink& warn)
         : file_(file), source_(read_text_file(file)), warn_(warn) {
         scene_.name = file.stem().string();
-        add_file(scene_, file);
+        scene::add_file(scene_, file);
     }
 
     scene::Scene run() {
@@ -254,9 +255,7 @@ private:
                                       "its materials are shown in magenta"));
             return;
         }
-        const bool read_already =
-            std::find(scene_.files.begin(), scene_.files.end(), path.string()) != scene_.files.end();
-        if (!read_already) import_mtl(path, scene_, warn_);
+        if (!scene::has_file(scene_, path)) import_mtl(path, scene_, warn_);
     }
 
     Index material_named(const PendingMaterial& pending) {
@@ -272,7 +271,7 @@ private:
             warn(pending.line.warning(pending.name.data(), "missing material " + in_quotes(pending.name),
                                       has_near ? suggest(pending.name, names) : "it is shown in magenta"));
             scene_.materials.push_back(
-                missing_material(std::string(pending.name), pending.line.location(pending.name.data())));
+                scene::missing_material(std::string(pending.name), pending.line.location(pending.name.data())));
             it = scene_.materials.end() - 1;
         }
         return static_cast<Index>(it - scene_.materials.begin());

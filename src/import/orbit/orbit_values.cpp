@@ -124,7 +124,7 @@ scene::Motion read_motion(LineCursor& value, std::string_view form, bool may_be_
         motion.kind = Kind::linear;
         motion.speed = value.number(form);
     } else if (kind == "linear") {
-        value.fail(at, "this can't turn on and on", "expected " + std::string(form));
+        value.fail(at, "'linear' is not possible here", "expected " + std::string(form));
     } else {
         value.fail(at, "unknown motion " + in_quotes(kind),
                    suggest(kind, std::span(kKinds).first(may_be_linear ? 3 : 2)));

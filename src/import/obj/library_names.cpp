@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "import/obj/paths.h"
+#include "import/obj/library_names.h"
 
 #include <algorithm>
 #include <cctype>
-#include <system_error>
 
+#include "base/paths.h"
 #include "base/scan.h"
 
 namespace sundog::import {
 namespace {
-
-std::string with_slashes(std::string_view name) {
-    std::string text(name);
-    std::replace(text.begin(), text.end(), '\\', '/');
-    return text;
-}
 
 bool ends_like_library(std::string_view word) {
     constexpr std::string_view kEnding = ".mtl";
@@ -24,22 +18,6 @@ bool ends_like_library(std::string_view word) {
 }
 
 }  // namespace
-
-std::filesystem::path resolve_path(const std::filesystem::path& named_in, std::string_view name) {
-    return (named_in.parent_path() / with_slashes(name)).lexically_normal();
-}
-
-bool is_file(const std::filesystem::path& file) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(file, error);
-}
-
-std::filesystem::path find_file(const std::filesystem::path& named_in, std::string_view name) {
-    std::filesystem::path file = resolve_path(named_in, name);
-    if (is_file(file)) return file;
-    file = named_in.parent_path() / std::filesystem::path(with_slashes(name)).filename();
-    return is_file(file) ? file : std::filesystem::path();
-}
 
 std::vector<std::string> split_library_names(const std::filesystem::path& named_in, std::string_view line) {
     if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
@@ -69,12 +47,6 @@ std::vector<std::string> split_library_names(const std::filesystem::path& named_
         first = last + 1;
     }
     return names;
-}
-
-void add_file(scene::Scene& scene, const std::filesystem::path& file) {
-    std::string name = file.string();
-    if (std::find(scene.files.begin(), scene.files.end(), name) == scene.files.end())
-        scene.files.push_back(std::move(name));
 }
 
 }  // namespace sundog::import
