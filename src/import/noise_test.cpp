@@ -108,7 +108,7 @@ TEST_F(Noise, DamagedBytes) {
                 default:
                     bytes.insert(at, pieces[below(pieces.size())]);
             }
-            if (bytes.empty()) bytes = "\n";
+            if (bytes.empty()) bytes.assign(1, '\n');
         }
         import_with(i % 2 == 0 ? "a.scene"
                     : obj      ? "a.obj"

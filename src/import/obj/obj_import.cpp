@@ -172,8 +172,8 @@ private:
                          "missing material " + in_quotes(change.text), hint.append("it is shown in magenta")));
         }
         it->second = static_cast<Index>(scene_.materials.size());
-        scene_.materials.push_back(
-            missing_material(std::string(change.text), {file_.source.name, line_number(file_, chunk, change.line), 0}));
+        scene_.materials.push_back(scene::missing_material(
+            std::string(change.text), {file_.source.name, line_number(file_, chunk, change.line), 0}));
         return it->second;
     }
 
