@@ -20,11 +20,13 @@ constexpr const char* kExamples =
     "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
     "  sundog render table.scene -o table.exr --aov depth,normal\n"
     "  sundog render table.scene -o - --size 320x240 | display\n"
-    "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
+    "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad "
+    "usage, 3 could not write, 130 interrupted.";
 
 constexpr float kLongestTime = 1e6F;
 
-/// The size that the picture will have, when neither option nor scene says: as make_frame decides.
+/// The size that the picture will have, when neither option nor scene says: as
+/// make_frame decides.
 Size size_of(const Frame& frame) {
     return {static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)};
 }
@@ -32,7 +34,8 @@ Size size_of(const Frame& frame) {
 int render(RenderArguments arguments) {
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
-    // What can be known to fail is found out before the scene is read and rendered.
+    // What can be known to fail is found out before the scene is read and
+    // rendered.
     if (arguments.frame.width) check_picture_memory({*arguments.frame.width, *arguments.frame.height}, arguments.aovs);
     const bool layers = arguments.aovs.planes != 0 || arguments.aovs.samples;
     OutputPlan plan;
@@ -65,7 +68,8 @@ void add_render(CLI::App& program, Action& action) {
 
     command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
     command->add_option("-o,--output", a.output,
-                        "Picture (.png .jpg .exr .hdr .ppm), video (.mp4 .webm .gif), or - for standard output");
+                        "Picture (.png .jpg .exr .hdr .ppm), video (.mp4 .webm "
+                        ".gif), or - for standard output");
     command->add_option("--format", a.format, "Format of standard output: png (default), jpg, exr, hdr or ppm");
     command
         ->add_option_function<std::string>(
@@ -94,7 +98,8 @@ void add_render(CLI::App& program, Action& action) {
     command
         ->add_option_function<std::string>(
             "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },
-            "Most reflections and refractions on a path (else the scene's, else 5)")
+            "Most reflections and refractions on a path (else the scene's, else "
+            "5)")
         ->type_name("N");
     command
         ->add_option_function<std::string>(
@@ -106,6 +111,39 @@ void add_render(CLI::App& program, Action& action) {
             "--shadows", [&a](Text text) { a.frame.shadows = parse_switch("--shadows", text); },
             "on or off (else the scene's, else on)")
         ->type_name("on|off");
+    command->add_flag_callback(
+        "--no-shadows", [&a] { a.frame.shadows = false; }, "The same as --shadows off");
+    command
+        ->add_option_function<std::string>(
+            "--time", [&a](Text text) { a.time_s = parse_float("--time", text, -kLongestTime, kLongestTime); },
+            "Moment in seconds (0); of frame 0 with --frames")
+        ->type_name("T");
+    command
+        ->add_option_function<std::string>(
+            "--frames", [&a](Text text) { a.frames = parse_frames(text); },
+            "Render frames A to B, to a video or to numbered images")
+        ->type_name("A..B");
+    command
+        ->add_option_function<std::string>(
+            "--fps", [&a](Text text) { a.frames_per_second = parse_float("--fps", text, 0.01F, 1000); },
+            "Frames a second (25)")
+        ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--exposure", [&a](Text text) { a.exposure_ev = parse_float("--exposure", text, -100, 100); },
+            "Brighten by this many stops (0)")
+        ->type_name("EV");
+    command
+        ->add_option_function<std::string>(
+            "--aov", [&a](Text text) { a.aovs = parse_aovs(text); },
+            "Further layers of an .exr: depth,normal,albedo,object,samples,cost "
+            "or all")
+        ->type_name("LIST");
+    command
+        ->add_option_function<std::string>(
+            "--pixel", [&a](Text text) { a.pixel = parse_pixel(text); },
+            "Print what this pixel sees instead of making a picture")
+        ->type_name("X,Y");
     command->add_flag("-q,--quiet", a.quiet, "No progress and no summary");
     command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }

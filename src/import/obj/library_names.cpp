@@ -23,7 +23,8 @@ std::vector<std::string> split_library_names(const std::filesystem::path& named_
     if (line.size() >= 2 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
     if (!find_file(named_in, line).empty()) return {std::string(line)};
     std::vector<std::string_view> words;
-    for (std::size_t at = 0; at < line.size();) {
+    constexpr std::size_t kMostWords = 256;
+    for (std::size_t at = 0; at < line.size() && words.size() < kMostWords;) {
         std::size_t end = at;
         while (end < line.size() && !is_blank(line[end])) ++end;
         if (end > at) words.push_back(line.substr(at, end - at));

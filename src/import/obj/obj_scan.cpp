@@ -363,22 +363,22 @@ ObjChunk scan_obj_chunk(std::string_view text) {
 }
 
 ObjFaceLine find_face_line(const ObjChunk& chunk, std::size_t face) {
-    // Scanning ever longer prefixes would be slow; scan line by line instead, each as a chunk of its own.
+    // Each line is scanned again as a chunk of its own, until the face is found.
     ObjFaceLine found;
-    std::string_view rest = chunk.text;
     std::size_t faces = 0;
-    while (!rest.empty()) {
-        std::string_view line = split_obj_text(rest, 1).front();
-        // Blank first lines of one byte: split_obj_text looks for a newline from byte 1 on.
-        if (rest.front() == '\n') line = rest.substr(0, 1);
+    for (std::string_view line : split_obj_text(chunk.text, 1)) {
         const ObjChunk one = scan_obj_chunk(line);
-        if (faces + one.face_ends.size() > face) {
+        faces += one.face_ends.size();
+        if (faces > face) {
+            // Pieces may start with empty lines and comments.
+            while (line.front() == '\n' || line.front() == '#') {
+                line.remove_prefix(line.find('\n') + 1);
+                ++found.line;
+            }
             found.text = line.substr(0, line.find_last_not_of('\n') + 1);
             return found;
         }
-        faces += one.face_ends.size();
         found.line += one.line_count;
-        rest.remove_prefix(line.size());
     }
     return found;
 }

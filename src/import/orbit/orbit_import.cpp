@@ -265,9 +265,12 @@ private:
         };
         auto it = find();
         if (it == scene_.materials.end()) {
+            // A hostile file may ask for very many: bound the search for near names.
+            constexpr std::size_t kMostSearched = 1000;
             std::vector<std::string_view> names;
-            for (const scene::Material& m : scene_.materials) names.push_back(m.name);
-            const bool has_near = !nearest_names(pending.name, names).empty();
+            for (const scene::Material& m : scene_.materials)
+                if (names.size() < kMostSearched) names.push_back(m.name);
+            const bool has_near = !nearest_names(pending.name, names, 1).empty();
             warn(pending.line.warning(pending.name.data(), "missing material " + in_quotes(pending.name),
                                       has_near ? suggest(pending.name, names) : "it is shown in magenta"));
             scene_.materials.push_back(
