@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where pictures go, and that what was there is never lost.
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace sundog::tests {
+namespace {
+
+std::vector<std::string> small_render(const std::string& scene, const std::filesystem::path& output) {
+    return {"render", scene, "-o", output.string(), "--size", "64x48", "--device", "cpu"};
+}
+
+std::vector<std::string> with(std::vector<std::string> arguments, std::initializer_list<std::string> more) {
+    arguments.insert(arguments.end(), more);
+    return arguments;
+}
+
+// Catches a place that can't be written to being found out only after the render, or with another status than 3.
+TEST(Output, PlacesThatCanNotBeWrittenEndWith3BeforeTheRender) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "taken.png");
+    for (const std::filesystem::path& output : {folder / "no-such-folder/a.png", folder / "taken.png"}) {
+        // So many samples would take hours.
+        const Outcome outcome = run(with(small_render(table_scene(), output), {"--spp", "65536"}));
+        EXPECT_EQ(outcome.status, 3) << output << outcome.err;
+        EXPECT_NE(outcome.err.find(output.filename().string()), std::string::npos) << outcome.err;
+    }
+}
+
+// Catches an output file that is truncated or removed when the scene turns out to be bad.
+TEST(Output, AnExistingFileSurvivesABadScene) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "precious.png", "kept");
+    write_bytes(folder / "bad.scene", "focsu = 12\n");
+    const Outcome outcome = run(small_render((folder / "bad.scene").string(), folder / "precious.png"));
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_NE(outcome.err.find("bad.scene:1:1: error: "), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("did you mean 'focus'"), std::string::npos) << outcome.err;
+    EXPECT_EQ(read_bytes(folder / "precious.png"), "kept");
+}
+
+// Catches pictures that depend on the number of threads.
+TEST(Output, SameBitsForAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    for (const std::string threads : {"1", "2", "5"}) {
+        const Outcome outcome =
+            run(with(small_render(table_scene(), folder / (threads + ".exr")), {"--threads", threads, "--spp", "3"}));
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+    }
+    const std::string one = read_bytes(folder / "1.exr");
+    EXPECT_GT(one.size(), 1000U);
+    EXPECT_TRUE(one == read_bytes(folder / "2.exr"));
+    EXPECT_TRUE(one == read_bytes(folder / "5.exr"));
+}
+
+// Catches news mixed into a picture on standard output.
+TEST(Output, StandardOutputIsThePictureAlone) {
+    const Outcome outcome = run(with(small_render(table_scene(), "-"), {"--format", "ppm"}));
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("P6")) << outcome.out.substr(0, 40);
+    EXPECT_EQ(outcome.out.size(), std::string("P6\n64 48\n255\n").size() + 64 * 48 * 3);
+    const Outcome quiet = run(with(small_render(table_scene(), "-"), {"--quiet"}));
+    EXPECT_TRUE(quiet.out.starts_with("\x89PNG"));
+    EXPECT_EQ(quiet.err, "");
+}
+
+// Catches frames that are all of the same moment, or numbered otherwise than asked for.
+TEST(Output, NumberedFrames) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run(with(small_render(table_scene(), folder / "turn-%03d.ppm"), {"--frames", "9..10", "--fps", "1"}));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string first = read_bytes(folder / "turn-009.ppm");
+    const std::string second = read_bytes(folder / "turn-010.ppm");
+    EXPECT_FALSE(first.empty());
+    EXPECT_EQ(first.size(), second.size());
+    EXPECT_TRUE(first != second) << "the table's camera goes round";
+    // Frame 9 at one frame a second is the moment 9 s.
+    ASSERT_EQ(run(with(small_render(table_scene(), folder / "moment.ppm"), {"--time", "9"})).status, 0);
+    EXPECT_TRUE(read_bytes(folder / "moment.ppm") == first);
+}
+
+// Catches options that change nothing.
+TEST(Output, OptionsReachThePicture) {
+    const TemporaryFolder folder;
+    const auto picture = [&](std::initializer_list<std::string> options) {
+        const Outcome outcome = run(with(small_render(table_scene(), folder / "a.ppm"), options));
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return read_bytes(folder / "a.ppm");
+    };
+    const std::string plain = picture({});
+    EXPECT_TRUE(plain == picture({}));
+    EXPECT_TRUE(plain != picture({"--no-shadows"}));
+    EXPECT_TRUE(picture({"--shadows", "off"}) == picture({"--no-shadows"}));
+    EXPECT_TRUE(plain != picture({"--max-depth", "0"}));
+    EXPECT_TRUE(plain != picture({"--exposure", "1"}));
+    EXPECT_TRUE(plain != picture({"--spp", "4"}));
+    EXPECT_TRUE(plain != picture({"--time", "3"}));
+}
+
+// Catches --pixel naming another object than the one that the picture shows there.
+TEST(Output, PixelNamesWhatItSees) {
+    const Outcome outcome =
+        run({"render", table_scene(), "--size", "64x48", "--pixel", "32,40", "--device", "cpu", "--shadows", "on"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("object    "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("table.obj:"), std::string::npos) << outcome.out;
+}
+
+// Catches a comparison that finds differences between equal pictures, or none between different ones.
+TEST(Output, CompareTellsEqualFromDifferent) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(run(small_render(table_scene(), folder / "a.png")).status, 0);
+    ASSERT_EQ(run(with(small_render(table_scene(), folder / "b.png"), {"--no-shadows"})).status, 0);
+    const Outcome same = run({"compare", "a.png", "a.png"}, folder.path());
+    EXPECT_EQ(same.status, 0) << same.err;
+    EXPECT_NE(same.out.find("RMSE                0.000000"), std::string::npos) << same.out;
+    const Outcome other = run({"compare", "a.png", "b.png", "-o", "difference.png"}, folder.path());
+    EXPECT_EQ(other.status, 0) << other.err;
+    EXPECT_EQ(other.out.find("RMSE                0.000000"), std::string::npos) << other.out;
+    EXPECT_TRUE(read_bytes(folder / "difference.png").starts_with("\x89PNG"));
+}
+
+}  // namespace
+}  // namespace sundog::tests
