@@ -106,6 +106,7 @@ Replacement::Replacement(const fs::path& target) : named_(target), target_(targe
     if (fs::is_directory(status)) fail_to_write(named_, "it is a folder");
     if (target.filename().empty()) fail_to_write(named_, "it names no file");
     if (fs::exists(status)) {
+        if (!fs::is_regular_file(status)) fail_to_write(named_, "it is no regular file");
         target_ = fs::canonical(target, error);
         if (error) fail_to_write(named_, error.message());
         // Renaming would get past the protection of the file.

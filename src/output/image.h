@@ -18,18 +18,23 @@ struct Image {
     std::vector<Vec3> pixels;
     Image() = default;
     Image(int width_, int height_)
-        : width(width_), height(height_),
+        : width(width_),
+          height(height_),
           pixels(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
-    [[nodiscard]] Vec3& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
-    [[nodiscard]] const Vec3& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
+    [[nodiscard]] Vec3& at(int x, int y) {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
+    [[nodiscard]] const Vec3& at(int x, int y) const {
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+    }
 };
 
 /// A further plane of an EXR file, in channels "name.channel" (just "name" where the channel's name is empty).
 /// Channels called "id" are written as 32-bit unsigned integers (negative and NaN become 0), others as 32-bit floats.
 struct Layer {
-    std::string name;                    ///< "depth", "normal", "albedo", "object", "samples", "cost"
-    std::vector<std::string> channels;   ///< {"Z"}, {"X","Y","Z"}, {"R","G","B"}, {"id"}
-    std::vector<float> values;           ///< Interleaved, width*height*channels.size().
+    std::string name;                   ///< "depth", "normal", "albedo", "object", "samples", "cost"
+    std::vector<std::string> channels;  ///< {"Z"}, {"X","Y","Z"}, {"R","G","B"}, {"id"}
+    std::vector<float> values;          ///< Interleaved, width*height*channels.size().
 };
 
 enum class Format { png, jpg, exr, hdr, ppm };
