@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the film to what a screen shows.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "device/film.h"
+#include "output/image.h"
+
+namespace sundog::viewer {
+
+/// Means of the film's pixels times 2^exposure_ev, sRGB-encoded (IEC 61966-2-1), as opaque 0xAARRGGBB, row by row
+/// into `argb` (one entry for each pixel of the film). Within 1/255 of the exact encoding; pixels without samples and
+/// NaN are black. Runs on all cores.
+void to_display(const Film& film, float exposure_ev, std::span<std::uint32_t> argb);
+
+/// The same picture as linear RGB, for writing to a file.
+output::Image to_image(const Film& film, float exposure_ev);
+
+}  // namespace sundog::viewer

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/loaded_scene.h"
+
+#include <utility>
+
+#include "compile/compile.h"
+#include "import/import.h"
+
+namespace sundog::viewer {
+
+std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file) {
+    auto loaded = std::make_shared<LoadedScene>();
+    const WarningSink keep = [&](const Diagnostic& warning) { loaded->warnings.push_back(warning); };
+    loaded->scene = import::import_scene(file, keep);
+    loaded->compiled = compile(loaded->scene, keep);
+    loaded->animated = is_animated(loaded->scene) && !loaded->scene.settings.freeze_s;
+    return loaded;
+}
+
+}  // namespace sundog::viewer

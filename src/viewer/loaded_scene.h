@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene as written together with what is rendered of it.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "device/render_scene.h"
+#include "scene/scene.h"
+
+namespace sundog::viewer {
+
+/// Immutable once loaded; the window and the render thread share it.
+struct LoadedScene {
+    scene::Scene scene;
+    std::shared_ptr<const RenderScene> compiled;
+    std::vector<Diagnostic> warnings;
+    bool animated = false;  ///< Something moves, and no `freeze` holds it.
+};
+
+/// Imports and compiles. Errors: InputError.
+std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file);
+
+}  // namespace sundog::viewer

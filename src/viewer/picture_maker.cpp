@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "viewer/picture_maker.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "viewer/display.h"
+
+namespace sundog::viewer {
+namespace {
+
+constexpr std::uint32_t kFewestSamplesSaved = 4;
+
+bool same(kernel::vec3 a, kernel::vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+bool same(const std::optional<kernel::Camera>& a, const std::optional<kernel::Camera>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return same(a->eye, b->eye) && same(a->center, b->center) && same(a->right, b->right) && same(a->up, b->up);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+bool same_radiance(const ViewRequest& a, const ViewRequest& b) {
+    const FrameOptions& p = a.options;
+    const FrameOptions& q = b.options;
+    return a.scene == b.scene && a.device == b.device && p.width == q.width && p.height == q.height &&
+           p.time_s == q.time_s && p.max_depth == q.max_depth && p.min_weight == q.min_weight &&
+           p.shadows == q.shadows && p.far_z == q.far_z && same(p.camera, q.camera);
+}
+
+PictureMaker::PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples)
+    : open_device_(std::move(open_device)), max_samples_(max_samples), budget_(target_frame_s) {}
+
+std::optional<DeviceInfo> PictureMaker::set_request(ViewRequest request) {
+    if (!same_radiance(request, request_)) film_is_current_ = false;
+    request_ = std::move(request);
+
+    const bool other_device = !session_ || request_.device != device_choice_;
+    if (!other_device && request_.scene == loaded_) return std::nullopt;
+    auto session = other_device ? std::make_unique<Session>(open_device_(request_.device)) : std::move(session_);
+    session->load(request_.scene->compiled);
+    session_ = std::move(session);
+    device_choice_ = request_.device;
+    loaded_ = request_.scene;
+    budget_.forget();
+    return session_->device().info();
+}
+
+bool PictureMaker::render_quickly(const StopFlag& stop) {
+    const PixelSize size = budget_.size_for(full_size());
+    const PixelRect bounds{0, 0, size.width, size.height};
+    if (film_.bounds != bounds) film_ = Film(bounds);
+    const auto begin = std::chrono::steady_clock::now();
+    film_is_current_ = false;
+    last_pass_ = session_->render_into(frame_of(size), 0, 1, film_, stop);
+    if (!last_pass_.complete) return false;
+    last_pass_s_ = seconds_since(begin);
+    budget_.report(size, last_pass_s_);
+    samples_ = 1;
+    film_is_current_ = true;
+    return true;
+}
+
+bool PictureMaker::refine(const StopFlag& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Frame frame = frame_of(full_size());
+    if (holds_full_size()) {
+        const RenderStats stats = session_->render_into(frame, samples_, 1, film_, stop);
+        if (!stats.complete) {
+            film_is_current_ = false;  // some pixels have the new sample, others don't
+            return false;
+        }
+        last_pass_ = stats;
+        ++samples_;
+    } else {
+        // Beside the reduced picture, which goes on showing if this is stopped.
+        Film film(PixelRect{0, 0, full_size().width, full_size().height});
+        const RenderStats stats = session_->render_into(frame, 0, 1, film, stop);
+        if (!stats.complete) return false;
+        last_pass_ = stats;
+        film_ = std::move(film);
+        samples_ = 1;
+        film_is_current_ = true;
+    }
+    last_pass_s_ = seconds_since(begin);
+    return true;
+}
+
+bool PictureMaker::can_refine() const { return ready() && (!holds_full_size() || samples_ < max_samples_); }
+
+PixelInfo PictureMaker::pick(int x, int y) { return session_->pick(frame_of(full_size()), x, y); }
+
+std::optional<output::Image> PictureMaker::full_image(const StopFlag& stop) {
+    while (!holds_full_size() || samples_ < std::min(kFewestSamplesSaved, max_samples_))
+        if (!refine(stop)) return std::nullopt;
+    return to_image(film_, request_.exposure_ev);
+}
+
+void PictureMaker::show(Picture& picture) const {
+    picture.size = {film_.bounds.width(), film_.bounds.height()};
+    picture.argb.resize(film_.radiance.size());
+    to_display(film_, request_.exposure_ev, picture.argb);
+    picture.time_s = request_.options.time_s;
+    picture.samples = samples_;
+    picture.seconds = last_pass_s_;
+    picture.rays = last_pass_.rays;
+}
+
+PixelSize PictureMaker::full_size() const { return {request_.options.width.value(), request_.options.height.value()}; }
+
+Frame PictureMaker::frame_of(PixelSize size) const {
+    FrameOptions options = request_.options;
+    options.width = size.width;
+    options.height = size.height;
+    return make_frame(loaded_->scene, *loaded_->compiled, options);
+}
+
+bool PictureMaker::holds_full_size() const {
+    return film_is_current_ && PixelSize{film_.bounds.width(), film_.bounds.height()} == full_size();
+}
+
+}  // namespace sundog::viewer
