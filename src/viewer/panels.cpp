@@ -42,7 +42,9 @@ void code(const std::string& words) {
 }
 
 void device_menu(const Status& status, Controls& controls) {
-    if (!ImGui::BeginCombo("Device", status.device_name.c_str())) return;
+    const bool open = ImGui::BeginCombo("Device", controls.device == "gpu" ? "GPU" : "CPU");
+    if (!open) tooltip(status.device_name);
+    if (!open) return;
     for (const DeviceChoice& device : status.devices) {
         const bool usable = device.why_unusable.empty();
         const auto flags = usable ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;

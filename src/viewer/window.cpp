@@ -66,7 +66,8 @@ void Window::toggle_fullscreen() {
 
 void Window::set_picture(const Picture& picture) {
     if (picture.size != picture_size_ || !picture_) {
-        picture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING,
+        // Without alpha, as windows mostly are: SDL's software renderer only smooths between like formats.
+        picture_.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_RGB888, SDL_TEXTUREACCESS_STREAMING,
                                          picture.size.width, picture.size.height));
         if (!picture_) fail("the picture can't be shown");
         SDL_SetTextureScaleMode(picture_.get(), SDL_ScaleModeLinear);
