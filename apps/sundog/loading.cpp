@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "loading.h"
+
+#include "console.h"
+#include "device/choose/choose.h"
+#include "usage_error.h"
+
+namespace sundog::app {
+
+std::filesystem::path scene_file_or_config(const std::string& named) {
+    if (!named.empty()) return named;
+    const std::filesystem::path config = "raytracer.conf";
+    std::error_code ignored;
+    if (!std::filesystem::exists(config, ignored))
+        throw UsageError("no scene was named, and the working folder holds no raytracer.conf",
+                         "name a .scene or .obj file");
+    return config;
+}
+
+std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads) {
+    std::unique_ptr<Device> device = open_device(choice, threads);
+    if (choice != "auto" || device->info().kind == "cpu") return device;
+    const std::vector<std::string> missing = device->unsupported(scene);
+    if (missing.empty()) return device;
+    print_note("using the CPU, because " + device->info().name + " can't draw this scene: " + missing.front());
+    return open_device("cpu", threads);
+}
+
+}  // namespace sundog::app

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the words of the command line to a scene on a device.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "device/device.h"
+
+namespace sundog::app {
+
+/// The scene file that was named, or raytracer.conf of the working folder where none was. Errors: UsageError.
+std::filesystem::path scene_file_or_config(const std::string& named);
+
+/// The device of that choice. With "auto", a GPU that can't draw the scene gives way to the CPU, which is said on
+/// standard error. Errors: DeviceError.
+std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads);
+
+}  // namespace sundog::app

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render.h"
+
+#include <fmt/format.h>
+
+#include "command.h"
+#include "console.h"
+#include "import/import.h"
+#include "loading.h"
+#include "picture.h"
+#include "usage_error.h"
+#include "viewer/replay.h"
+
+namespace sundog::app {
+namespace {
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  sundog render table.scene -o table.png --size 1920x1080 --spp 16\n"
+    "  sundog render table.scene -o turn.mp4 --frames 0..249 --fps 25\n"
+    "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
+    "  sundog render table.scene -o table.exr --aov depth,normal\n"
+    "  sundog render table.scene -o - --size 320x240 | display\n"
+    "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
+
+constexpr float kLongestTime = 1e6F;
+
+kernel::Camera parse_camera(const std::string& text) {
+    const auto camera = viewer::parse_camera_argument(text);
+    if (!camera)
+        throw UsageError(
+            "--camera: expected twelve numbers with commas between them: the eye, the way to the window's "
+            "middle, half its width and half its height, each x,y,z",
+            "the window of 'sundog view' shows the whole command for a picked pixel");
+    return *camera;
+}
+
+/// The size that the picture will have, when neither option nor scene says: as make_frame decides.
+Size size_of(const Frame& frame) {
+    return {static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)};
+}
+
+int render(RenderArguments arguments) {
+    if (arguments.output.empty() && !arguments.pixel)
+        throw UsageError("nothing says where the picture goes", "for example -o picture.png");
+    // What can be known to fail is found out before the scene is read and rendered.
+    if (arguments.frame.width) check_picture_memory({*arguments.frame.width, *arguments.frame.height}, arguments.aovs);
+    const bool layers = arguments.aovs.planes != 0 || arguments.aovs.samples;
+    OutputPlan plan;
+    if (!arguments.pixel) plan = plan_output(arguments.output, arguments.format, arguments.frames, layers);
+    arguments.frame.time_s = arguments.time_s;
+    arguments.frame.aovs = arguments.aovs.planes;
+
+    WarningPrinter warnings;
+    const WarningSink warn = warnings.sink();
+    const scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
+    check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
+    Session session(open_device_for(*compiled, arguments.device, arguments.threads));
+    session.load(compiled);
+
+    const Stage stage{scene, *compiled, session};
+    if (arguments.pixel) return print_pixel(arguments, stage);
+    const bool one_picture = plan.target == Target::image || plan.target == Target::standard_output;
+    return one_picture ? render_image(arguments, plan, stage) : render_frames(arguments, plan, stage);
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, Action& action) {
+    CLI::App* command = program.add_subcommand("render", "Render a scene to an image or an animation");
+    command->footer(kExamples);
+    const auto arguments = std::make_shared<RenderArguments>();
+    RenderArguments& a = *arguments;
+    using Text = const std::string&;
+
+    command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
+    command->add_option("-o,--output", a.output,
+                        "Picture (.png .jpg .exr .hdr .ppm), video (.mp4 .webm .gif), or - for standard output");
+    command->add_option("--format", a.format, "Format of standard output: png (default), jpg, exr, hdr or ppm");
+    command
+        ->add_option_function<std::string>(
+            "--size",
+            [&a](Text text) {
+                const Size size = parse_size(text);
+                a.frame.width = size.width;
+                a.frame.height = size.height;
+            },
+            "Width and height in pixels (else the scene's, else 640x480)")
+        ->type_name("WxH");
+    command
+        ->add_option_function<std::string>(
+            "--device", [&a](Text text) { a.device = parse_device(text); },
+            "auto (a hardware GPU, else the CPU), cpu or gpu")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--threads", [&a](Text text) { a.threads = parse_int("--threads", text, 0, 1024); },
+            "Threads on the CPU; 0 for all")
+        ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--spp", [&a](Text text) { a.samples = parse_int("--spp", text, 1, 65536); }, "Samples a pixel (1)")
+        ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },
+            "Most reflections and refractions on a path (else the scene's, else 5)")
+        ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--min-weight", [&a](Text text) { a.frame.min_weight = parse_float("--min-weight", text, 0, 1); },
+            "Paths of less weight end (else the scene's, else 0.01)")
+        ->type_name("W");
+    command
+        ->add_option_function<std::string>(
+            "--shadows", [&a](Text text) { a.frame.shadows = parse_switch("--shadows", text); },
+            "on or off (else the scene's, else on)")
+        ->type_name("on|off");
+    command->add_flag_callback(
+        "--no-shadows", [&a] { a.frame.shadows = false; }, "The same as --shadows off");
+    command
+        ->add_option_function<std::string>(
+            "--time", [&a](Text text) { a.time_s = parse_float("--time", text, -kLongestTime, kLongestTime); },
+            "Moment in seconds (0); of frame 0 with --frames")
+        ->type_name("T");
+    command
+        ->add_option_function<std::string>(
+            "--frames", [&a](Text text) { a.frames = parse_frames(text); },
+            "Render frames A to B, to a video or to numbered images")
+        ->type_name("A..B");
+    command
+        ->add_option_function<std::string>(
+            "--fps", [&a](Text text) { a.frames_per_second = parse_float("--fps", text, 0.01F, 1000); },
+            "Frames a second (25)")
+        ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--exposure", [&a](Text text) { a.exposure_ev = parse_float("--exposure", text, -100, 100); },
+            "Brighten by this many stops (0)")
+        ->type_name("EV");
+    command
+        ->add_option_function<std::string>(
+            "--aov", [&a](Text text) { a.aovs = parse_aovs(text); },
+            "Further layers of an .exr: depth,normal,albedo,object,samples,cost or all")
+        ->type_name("LIST");
+    command
+        ->add_option_function<std::string>(
+            "--camera", [&a](Text text) { a.frame.camera = parse_camera(text); },
+            "Instead of the scene's camera, as 'sundog view' writes it")
+        ->type_name("LIST");
+    command
+        ->add_option_function<std::string>(
+            "--pixel", [&a](Text text) { a.pixel = parse_pixel(text); },
+            "Print what this pixel sees instead of making a picture")
+        ->type_name("X,Y");
+    command->add_flag("-q,--quiet", a.quiet, "No progress and no summary");
+    command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace sundog::app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sundog render`: what it was asked for, and its jobs.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "arguments.h"
+#include "compile/compile.h"
+#include "output_plan.h"
+#include "session/session.h"
+
+namespace sundog::app {
+
+/// The options of `sundog render`.
+struct RenderArguments {
+    std::string scene;   ///< Empty: raytracer.conf of the working folder.
+    std::string output;  ///< Empty only with `pixel`.
+    std::string format;
+    std::string device = "auto";
+    int threads = 0;  ///< 0: all.
+    int samples = 1;
+    float time_s = 0;
+    float exposure_ev = 0;
+    float frames_per_second = 25;
+    std::optional<FrameRange> frames;
+    std::optional<Pixel> pixel;
+    AovChoice aovs;
+    bool quiet = false;
+    FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.
+};
+
+/// A scene that stands on a device, ready for pictures.
+struct Stage {
+    const scene::Scene& scene;
+    const RenderScene& compiled;
+    Session& session;
+};
+
+/// The jobs return the exit status. Errors: OutputError, DeviceError.
+int render_image(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage);
+int render_frames(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage);
+/// Prints what one pixel sees.
+int print_pixel(const RenderArguments& arguments, const Stage& stage);
+
+}  // namespace sundog::app

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "command.h"
+#include "console.h"
+#include "output/progress_line.h"
+#include "output/video.h"
+#include "picture.h"
+#include "render.h"
+#include "usage_error.h"
+
+namespace sundog::app {
+namespace {
+
+void write_picture(const OutputPlan& plan, const std::filesystem::path& file, const output::Image& image,
+                   const std::vector<output::Layer>& layers) {
+    if (plan.target == Target::standard_output)
+        output::write_file_atomically("-", output::encode(image, plan.format, layers));
+    else output::write_image(file, image, layers);
+}
+
+std::string name_of(const OutputPlan& plan) {
+    return plan.target == Target::standard_output ? "standard output" : plan.file.string();
+}
+
+/// "640x480, 4 samples a pixel, 0.21 s, 35.1 million rays/s on NAME"
+std::string summary(const RenderResult& result, int samples, const DeviceInfo& device) {
+    const double rays_per_second = static_cast<double>(result.stats.rays) / std::max(result.seconds, 1e-9);
+    return fmt::format("{}x{}, {} sample{} a pixel, {:.2f} s, {:.1f} million rays/s on {}", result.film.bounds.width(),
+                       result.film.bounds.height(), samples, samples == 1 ? "" : "s", result.seconds,
+                       rays_per_second / 1e6, device.name);
+}
+
+/// Share of the wanted samples that the film has.
+double done_fraction(const Film& film, int samples) {
+    double sum = 0;
+    for (const auto& pixel : film.radiance) sum += pixel[3];
+    return sum / (static_cast<double>(film.radiance.size()) * samples);
+}
+
+/// Writes a video's or numbered images' frames in order.
+class FrameWriter {
+public:
+    FrameWriter(const OutputPlan& plan, Size size, double frames_per_second) : plan_(plan) {
+        if (plan.target == Target::video) video_.emplace(plan.file, size.width, size.height, frames_per_second);
+    }
+    void add(int number, const Film& film, const RenderArguments& arguments) {
+        const output::Image image = image_of(film, arguments.exposure_ev);
+        if (video_) video_->add(image);
+        else write_picture(plan_, numbered_file(plan_.file, number), image, layers_of(film, arguments.aovs));
+        ++written_;
+    }
+    /// Ends the file; a video without frames leaves what was there.
+    void finish() {
+        if (video_ && written_ > 0) video_->finish();
+    }
+    [[nodiscard]] int written() const { return written_; }
+
+private:
+    const OutputPlan& plan_;
+    std::optional<output::VideoWriter> video_;
+    int written_ = 0;
+};
+
+}  // namespace
+
+int render_image(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage) {
+    const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
+    const InterruptGuard interrupt;
+    output::ProgressLine line(!arguments.quiet);
+    const RenderResult result = stage.session.render(
+        frame, static_cast<std::uint32_t>(arguments.samples), [&](const Progress& progress) { line.show(progress); },
+        interrupt.flag());
+    line.clear();
+    write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
+                  layers_of(result.film, arguments.aovs));
+    if (result.stopped) {
+        print_note(fmt::format("interrupted: wrote what was done ({:.0f} %) to {}",
+                               100 * done_fraction(result.film, arguments.samples), name_of(plan)));
+        return kInterrupted;
+    }
+    if (!arguments.quiet)
+        print_note(fmt::format("wrote {} ({})", name_of(plan),
+                               summary(result, arguments.samples, stage.session.device().info())));
+    return 0;
+}
+
+int render_frames(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage) {
+    const FrameRange range = *arguments.frames;
+    const int count = range.last - range.first + 1;
+    FrameOptions options = arguments.frame;
+    const Frame first = make_frame(stage.scene, stage.compiled, options);
+    FrameWriter writer(plan, {static_cast<int>(first.params.width), static_cast<int>(first.params.height)},
+                       arguments.frames_per_second);
+    const InterruptGuard interrupt;
+    output::ProgressLine line(!arguments.quiet);
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    std::uint64_t rays = 0;
+    bool stopped = false;
+    for (int number = range.first; number <= range.last && !stopped; ++number) {
+        options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
+        const Frame frame = make_frame(stage.scene, stage.compiled, options);
+        const auto report = [&](const Progress& p) {
+            line.show({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
+        };
+        const RenderResult result =
+            stage.session.render(frame, static_cast<std::uint32_t>(arguments.samples), report, interrupt.flag());
+        rays += result.stats.rays;
+        stopped = result.stopped;
+        if (!stopped) writer.add(number, result.film, arguments);
+    }
+    writer.finish();
+    line.clear();
+    if (stopped) {
+        print_note(fmt::format("interrupted: wrote {} of {} frames to {}", writer.written(), count, name_of(plan)));
+        return kInterrupted;
+    }
+    if (!arguments.quiet)
+        print_note(fmt::format("wrote {} frames to {} ({:.1f} s, {:.1f} frames/s on {})", count, name_of(plan),
+                               seconds(), count / std::max(seconds(), 1e-9), stage.session.device().info().name));
+    return 0;
+}
+
+int print_pixel(const RenderArguments& arguments, const Stage& stage) {
+    const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
+    const Pixel pixel = *arguments.pixel;
+    const auto width = static_cast<int>(frame.params.width);
+    const auto height = static_cast<int>(frame.params.height);
+    if (pixel.x >= width || pixel.y >= height)
+        throw UsageError(
+            fmt::format("--pixel {},{} lies outside the picture of {}x{}", pixel.x, pixel.y, width, height));
+    const PixelInfo seen = stage.session.pick(frame, pixel.x, pixel.y);
+    fmt::print("pixel     {},{} of {}x{}\n", pixel.x, pixel.y, width, height);
+    fmt::print("radiance  {} {} {} (linear RGB)\n", seen.radiance.x, seen.radiance.y, seen.radiance.z);
+    if (seen.geometry == kernel::NONE) {
+        fmt::print("sees      nothing\n");
+        return 0;
+    }
+    const scene::Object& object = stage.scene.objects[stage.compiled.geometry_objects[seen.geometry]];
+    fmt::print("depth     {}\n", seen.depth);
+    fmt::print("normal    {} {} {}\n", seen.normal.x, seen.normal.y, seen.normal.z);
+    fmt::print("object    {} (primitive {})", object.name, seen.primitive);
+    if (object.where.file) fmt::print(" from {}:{}", *object.where.file, object.where.line);
+    fmt::print("\nmaterial  {}", stage.compiled.material_names[seen.material]);
+    if (const scene::Material& m = stage.scene.materials[seen.material]; m.where.file)
+        fmt::print(" from {}:{}", *m.where.file, m.where.line);
+    fmt::print("\n");
+    return 0;
+}
+
+}  // namespace sundog::app
