@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the things of a scene are.
+#pragma once
+
+#include "base/vec.h"
+#include "scene/scene.h"
+
+namespace sundog::scene {
+
+/// Bounds of what an object's surface uses, at rest. Empty for planes, which have no end, and for empty meshes.
+Bounds3 bounds_of(const Object& object);
+
+/// Bounds of all finite objects at rest.
+Bounds3 bounds_of(const Scene& scene);
+
+}  // namespace sundog::scene
