@@ -36,6 +36,10 @@ struct Decoded {
 /// `bytes_per_pixel`.
 void check_size(std::uint64_t width, std::uint64_t height, std::size_t bytes_per_pixel);
 
+/// Throws DecodeError if a file of `file_size` bytes can't hold so large a picture.
+void check_plausible(std::uint64_t width, std::uint64_t height, std::size_t file_size,
+                     std::uint64_t most_pixels_per_byte);
+
 /// Makes `values` longer. Memory follows what has been decoded, in doublings up to `total`, so that a file that lies
 /// about its size costs no more than its own bytes can fill.
 template <typename T>
@@ -44,9 +48,24 @@ void grow(std::vector<T>& values, std::size_t size, std::size_t total) {
     values.resize(size);
 }
 
+/// Decodes a file of any format, told by its content. `bytes_per_pixel` is what the caller's own copy takes, for
+/// check_size(). Errors: DecodeError, std::bad_alloc.
+Decoded decode(Bytes bytes, std::size_t bytes_per_pixel);
+
 // Each format's pair. Encoders get a picture that has pixels, and throw OutputError; decoders throw DecodeError.
-// `bytes_per_pixel` is what the caller will need in the end, for check_size().
 std::string encode_png(const Image& image);
 Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel);
+std::string encode_jpeg(const Image& image);
+Decoded decode_jpeg(Bytes bytes, std::size_t bytes_per_pixel);
+std::string encode_exr(const Image& image, const std::vector<Layer>& layers);
+Decoded decode_exr(Bytes bytes, std::size_t bytes_per_pixel);
+std::string encode_radiance(const Image& image);
+Decoded decode_radiance(Bytes bytes, std::size_t bytes_per_pixel);
+std::string encode_ppm(const Image& image);
+Decoded decode_pnm(Bytes bytes, std::size_t bytes_per_pixel);
+/// BMP, GIF and TGA.
+Decoded decode_small_format(Bytes bytes, std::size_t bytes_per_pixel, std::uint64_t most_pixels_per_byte);
+/// TGA has no magic number; true if the header makes sense.
+bool looks_like_tga(Bytes bytes);
 
 }  // namespace sundog::output

@@ -40,12 +40,6 @@ bool starts_with(Bytes bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
-Decoded decode(Bytes bytes, std::size_t bytes_per_pixel) {
-    if (bytes.empty()) throw DecodeError("the file is empty");
-    if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return decode_png(bytes, bytes_per_pixel);
-    throw DecodeError("not a picture of a known format (PNG)");
-}
-
 /// Reads and decodes, and turns what goes wrong into an InputError with the file's name.
 Decoded read_decoded(const fs::path& file, std::size_t bytes_per_pixel) {
     const std::vector<unsigned char> bytes = read_file(file);
@@ -69,6 +63,31 @@ void check_size(std::uint64_t width, std::uint64_t height, std::size_t bytes_per
     if (width * height * bytes_per_pixel > kMostDecodedBytes) fail("would take more than 4 GiB");
 }
 
+void check_plausible(std::uint64_t width, std::uint64_t height, std::size_t file_size,
+                     std::uint64_t most_pixels_per_byte) {
+    if (width * height / most_pixels_per_byte > file_size)
+        throw DecodeError("damaged picture: " + std::to_string(file_size) + " bytes are too few for " +
+                          std::to_string(width) + "x" + std::to_string(height) + " pixels");
+}
+
+Decoded decode(Bytes bytes, std::size_t bytes_per_pixel) {
+    if (bytes.empty()) throw DecodeError("the file is empty");
+    if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return decode_png(bytes, bytes_per_pixel);
+    if (starts_with(bytes, "\xFF\xD8\xFF")) return decode_jpeg(bytes, bytes_per_pixel);
+    if (starts_with(bytes, "\x76\x2F\x31\x01")) return decode_exr(bytes, bytes_per_pixel);
+    if (starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE"))
+        return decode_radiance(bytes, bytes_per_pixel);
+    if (bytes[0] == 'P' && bytes.size() > 2 && std::isspace(bytes[2]) != 0 &&
+        (bytes[1] == '2' || bytes[1] == '3' || bytes[1] == '5' || bytes[1] == '6'))
+        return decode_pnm(bytes, bytes_per_pixel);
+    // The best that each coding can do: a bit a pixel in BMP, a 12-bit code for 4096 pixels in GIF, two bytes for 128
+    // pixels in TGA.
+    if (starts_with(bytes, "BM")) return decode_small_format(bytes, bytes_per_pixel, 8);
+    if (starts_with(bytes, "GIF8")) return decode_small_format(bytes, bytes_per_pixel, 4096);
+    if (looks_like_tga(bytes)) return decode_small_format(bytes, bytes_per_pixel, 64);
+    throw DecodeError("not a picture of a known format (PNG, JPEG, EXR, Radiance HDR, PPM, PGM, BMP, GIF, TGA)");
+}
+
 Format format_of(const fs::path& file) {
     const std::string ending = lower_case_ending(file);
     std::string known;
@@ -89,13 +108,19 @@ std::string encode(const Image& image, Format format, const std::vector<Layer>& 
     if (image.width <= 0 || image.height <= 0) throw OutputError("can't write a picture without pixels");
     if (image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
         throw OutputError("can't write a picture whose number of pixels is not width * height");
-    (void)layers;
     switch (format) {
         case Format::png:
             return encode_png(image);
-        default:
-            throw OutputError("only .png is written so far");
+        case Format::jpg:
+            return encode_jpeg(image);
+        case Format::exr:
+            return encode_exr(image, layers);
+        case Format::hdr:
+            return encode_radiance(image);
+        case Format::ppm:
+            return encode_ppm(image);
     }
+    throw OutputError("can't write a picture of an unknown format");
 }
 
 void write_image(const fs::path& file, const Image& image, const std::vector<Layer>& layers) {

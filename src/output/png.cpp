@@ -157,10 +157,7 @@ Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel) {
     require(read_header(reader), reader);
     check_size(reader.width, reader.height, std::max<std::size_t>(bytes_per_pixel, reader.deep ? 8 : 4));
     // At least one bit a pixel before compression.
-    const std::uint64_t smallest_row = (std::uint64_t{reader.width} + 7) / 8;
-    if (smallest_row * reader.height / kBestDeflateRatio > bytes.size())
-        throw DecodeError("damaged PNG: the file is too small for a picture of " + std::to_string(reader.width) + "x" +
-                          std::to_string(reader.height));
+    check_plausible(reader.width, reader.height, bytes.size(), kBestDeflateRatio * 8);
     require(prepare_rows(reader), reader);
     Decoded decoded;
     decoded.width = reader.width;

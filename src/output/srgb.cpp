@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/srgb.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <vector>
 
@@ -61,19 +63,27 @@ const std::array<float, 256>& linear_of_srgb8() {
 void encode_srgb8(std::span<const Vec3> linear, std::span<std::uint8_t> codes) {
     if (codes.size() / 3 < linear.size()) throw std::invalid_argument("encode_srgb8: too few bytes for the codes");
     static const std::array<std::uint32_t, kBinCount> bins = make_bins();
-    const auto encode_one = [table = bins.data()](float value) {
-        // The comparisons' order sends NaN to kSmallest.
-        const float at_least = value > kSmallest ? value : kSmallest;
-        const float clamped = at_least < kLargest ? at_least : kLargest;
-        const auto bits = std::bit_cast<std::uint32_t>(clamped);
-        return static_cast<std::uint8_t>((table[(bits >> kLowBits) - kFirstBin] + (bits & kLowMask)) >> kLowBits);
-    };
+    // In two loops, as the compiler makes branches of clamping and look-up together, and SIMD code of clamping alone.
+    constexpr std::size_t kBlock = 256;
+    std::array<float, 3 * kBlock> values{};
+    std::array<std::uint32_t, 3 * kBlock> bits{};
+    static_assert(sizeof(Vec3) == 3 * sizeof(float));
     std::uint8_t* out = codes.data();
-    for (const Vec3& pixel : linear) {
-        out[0] = encode_one(pixel.x);
-        out[1] = encode_one(pixel.y);
-        out[2] = encode_one(pixel.z);
-        out += 3;
+    while (!linear.empty()) {
+        const std::span<const Vec3> block = linear.first(std::min(kBlock, linear.size()));
+        linear = linear.subspan(block.size());
+        const std::size_t count = 3 * block.size();
+        std::memcpy(values.data(), block.data(), block.size_bytes());
+        for (std::size_t i = 0; i < count; ++i) {
+            // The order of the comparisons sends NaN to kSmallest.
+            const float at_least = values[i] > kSmallest ? values[i] : kSmallest;
+            bits[i] = std::bit_cast<std::uint32_t>(at_least < kLargest ? at_least : kLargest);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t bin = bins[(bits[i] >> kLowBits) - kFirstBin];
+            out[i] = static_cast<std::uint8_t>((bin + (bits[i] & kLowMask)) >> kLowBits);
+        }
+        out += count;
     }
 }
 
