@@ -10,14 +10,7 @@ namespace sundog::app {
 
 using Action = std::function<int()>;
 
-/// Exit statuses, beside 0 for success.
-inline constexpr int kBadInput = 1;
-inline constexpr int kBadUsage = 2;
-inline constexpr int kNotWritten = 3;
-inline constexpr int kInterrupted = 130;  // As shells report a program that SIGINT ended.
-
 void add_render(CLI::App& program, Action& action);
-void add_view(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_help(CLI::App& program, Action& action);

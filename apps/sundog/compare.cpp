@@ -31,13 +31,14 @@ int compare_files(const CompareArguments& arguments) {
 
     const output::Image a = output::read_image(arguments.a);
     const output::Image b = output::read_image(arguments.b);
-    if (a.width != b.width || a.height != b.height)
-        throw InputError({Severity::error,
-                          {std::make_shared<const std::string>(arguments.b), 0, 0},
-                          fmt::format("{}x{} pixels can't be compared with {}x{} of '{}'", b.width, b.height, a.width,
-                                      a.height, arguments.a),
-                          "",
-                          "pictures of the same size are needed"});
+    if (a.width != b.width || a.height != b.height) {
+        Diagnostic diagnostic;
+        diagnostic.where.file = std::make_shared<const std::string>(arguments.b);
+        diagnostic.message = fmt::format("{}x{} pixels can't be compared with {}x{} of '{}'", b.width, b.height,
+                                         a.width, a.height, arguments.a);
+        diagnostic.hint = "pictures of the same size are needed";
+        throw InputError(diagnostic);
+    }
     if (!arguments.output.empty()) {
         const output::Image difference =
             arguments.flip ? output::flip_image(a, b) : output::difference_image(a, b, arguments.gain);

@@ -20,7 +20,8 @@ struct NumberField {
     int digits = 1;
 };
 
-/// Nothing where the name has no '%'. Errors: UsageError where it has, but not exactly one valid field.
+/// Nothing where the name has no '%'. Errors: UsageError where it has, but not
+/// exactly one valid field.
 std::optional<NumberField> number_field(const std::string& name) {
     const std::size_t begin = name.find('%');
     if (begin == std::string::npos) return std::nullopt;

@@ -16,7 +16,8 @@ const std::optional<FrameRange> kFrames = FrameRange{0, 9};
 
 std::string in_temp(const std::string& name) { return (std::filesystem::temp_directory_path() / name).string(); }
 
-// Catches numbers that are put into the folder's name, lose their zeros, or are formatted by a user's format string.
+// Catches numbers that are put into the folder's name, lose their zeros, or are
+// formatted by a user's format string.
 TEST(OutputPlan, NumberedFiles) {
     EXPECT_EQ(numbered_file("a/turn.png", 7), "a/turn-0007.png");
     EXPECT_EQ(numbered_file("turn.png", 12345), "turn-12345.png");
@@ -26,7 +27,8 @@ TEST(OutputPlan, NumberedFiles) {
         EXPECT_THROW(numbered_file(bad, 1), UsageError) << bad;
 }
 
-// Catches a render that starts although its place can't be written or its ending is unknown.
+// Catches a render that starts although its place can't be written or its
+// ending is unknown.
 TEST(OutputPlan, ChecksThePlaceFirst) {
     EXPECT_THROW(plan_output("/no/such/folder/a.png", "", kOnePicture, false), OutputError);
     EXPECT_THROW(plan_output(in_temp("a.bmpp"), "", kOnePicture, false), UsageError);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
-#include <cmath>
+#include <functional>
+#include <iostream>
 
-#include "command.h"
 #include "console.h"
+#include "exit_status.h"
 #include "output/progress_line.h"
 #include "output/video.h"
 #include "picture.h"
@@ -70,10 +72,9 @@ private:
 int render_image(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage) {
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
-    output::ProgressLine line(!arguments.quiet);
-    const RenderResult result = stage.session.render(
-        frame, static_cast<std::uint32_t>(arguments.samples), [&](const Progress& progress) { line.show(progress); },
-        interrupt.flag());
+    output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
+    const RenderResult result =
+        stage.session.render(frame, static_cast<std::uint32_t>(arguments.samples), std::ref(line), interrupt.flag());
     line.clear();
     write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
                   layers_of(result.film, arguments.aovs));
@@ -96,7 +97,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     FrameWriter writer(plan, {static_cast<int>(first.params.width), static_cast<int>(first.params.height)},
                        arguments.frames_per_second);
     const InterruptGuard interrupt;
-    output::ProgressLine line(!arguments.quiet);
+    output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -107,7 +108,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
         const Frame frame = make_frame(stage.scene, stage.compiled, options);
         const auto report = [&](const Progress& p) {
-            line.show({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
+            line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
         };
         const RenderResult result =
             stage.session.render(frame, static_cast<std::uint32_t>(arguments.samples), report, interrupt.flag());
