@@ -13,16 +13,16 @@ def table():
     m.quad([(-9, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)])
     half = 0.5
     for name, material, center, yaw_deg, size in [
-        ("red_cube", "vermilion", (-1.62, 0.42, 0.6), 24, 1.2),
-        ("gold_cube", "gold", (-1.5, 0.5, 1.55), 61, 0.7),
-        ("teal_cube", "teal", (1.18, -1.28, 0.36), -33, 0.72),
+        ("red_cube", "vermilion", (-1.58, 0.86, 0.6), 14, 1.2),
+        ("gold_cube", "gold", (-1.46, 0.9, 1.55), 42, 0.7),
+        ("teal_cube", "teal", (0.56, -1.65, 0.36), 30, 0.72),
     ]:
         m.object(name, material)
         m.box((-half, -half, -half), (half, half, half), placed(center, yaw_deg, size))
     m.object("cylinder", "ivory")
-    m.cylinder((1.85, 0.85, 0), 0.46, 2.1, 32)
+    m.cylinder((2.04, 0.02, 0), 0.46, 2.1, 32)
     m.object("sphere", "chrome")
-    m.sphere((0.18, 0.1, 0.92), 0.92, 32, 16)
+    m.sphere((0.2, 0.02, 0.92), 0.92, 32, 16)
     return m
 
 
@@ -33,7 +33,8 @@ def classic(x, z):
 
 
 def cornell():
-    """The Cornell box with its two blocks; the tall one is a mirror. The ball on the short one is in the .scene file."""
+    """The Cornell box with its two blocks. The tall one is a mirror, turned by 17 degrees more than the original's, so that
+    it shows a coloured wall. The ball on the short one is in the .scene file."""
     m = Model("The Cornell box", "cornell.mtl")
     left, right, back, top = -2.764, 2.764, 5.592, 5.488
     m.object("floor", "white")
@@ -52,7 +53,9 @@ def cornell():
     m.object("short_block", "white")
     m.prism([classic(130, 65), classic(82, 225), classic(240, 272), classic(290, 114)], 0, 1.65)
     m.object("tall_block", "mirror")
-    m.prism([classic(423, 247), classic(265, 296), classic(314, 456), classic(472, 406)], 0, 3.30)
+    tall = [classic(423, 247), classic(265, 296), classic(314, 456), classic(472, 406)]
+    cx, cy = (sum(p[k] for p in tall) / 4 for k in (0, 1))
+    m.prism([(x - cx, y - cy) for x, y in tall], 0, 3.30, placed((cx, cy, 0), 17))
     return m
 
 
@@ -136,9 +139,9 @@ def textured():
     """A corner of a store: brick wall, tiled floor, a crate, a tin and a lampshade with stars cut out."""
     m = Model("Textures", "textured.mtl")
     m.object("floor", "tiles")
-    m.quad([(-6, -7, 0), (6, -7, 0), (6, 2.2, 0), (-6, 2.2, 0)], 0.5)
+    m.quad([(-7, -9, 0), (7, -9, 0), (7, 2.2, 0), (-7, 2.2, 0)], 0.5)
     m.object("wall", "brick")
-    m.quad([(-6, 2.2, 0), (6, 2.2, 0), (6, 2.2, 5.2), (-6, 2.2, 5.2)], 0.42)
+    m.quad([(-7, 2.2, 0), (7, 2.2, 0), (7, 2.2, 6), (-7, 2.2, 6)], 0.42)
     m.object("crate", "crate")
     m.box((-0.8, -0.8, 0), (0.8, 0.8, 1.6), placed((-1.7, 0.75, 0), 18))
     m.object("tin", "label")

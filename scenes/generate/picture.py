@@ -21,13 +21,11 @@ def noise(x, y, seed, period_x):
     x0, y0 = floor(x), floor(y)
     fx, fy = x - x0, y - y0
     fx, fy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)
-
-    def corner(i, j):
-        return hashed((x0 + i) % period_x, y0 + j, seed)
-
-    top = corner(0, 0) + (corner(1, 0) - corner(0, 0)) * fx
-    bottom = corner(0, 1) + (corner(1, 1) - corner(0, 1)) * fx
-    return top + (bottom - top) * fy
+    left, right = x0 % period_x, (x0 + 1) % period_x
+    low, high = hashed(left, y0, seed), hashed(left, y0 + 1, seed)
+    low += (hashed(right, y0, seed) - low) * fx
+    high += (hashed(right, y0 + 1, seed) - high) * fx
+    return low + (high - low) * fy
 
 
 def fractal(x, y, seed, period_x, octaves):

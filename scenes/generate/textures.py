@@ -121,21 +121,21 @@ def label_color(x, y):
 
 
 def globe_color(x, y):
-    u, v = x / 512, (y + 0.5) / 256
+    u, v = x / 384, (y + 0.5) / 192
     latitude = pi * (0.5 - v)
     stretch = 6 * cos(latitude) + 0.5
     height = fractal(u * 8, v * 5 + 3, 21, 8, 5) + 0.05 * sin(u * 4 * pi + stretch)
-    cold = abs(latitude) / (pi / 2) + 0.12 * (fractal(u * 16, v * 8, 31, 16, 2) - 0.5)
-    if cold > 0.86:
+    cold = abs(latitude) / (pi / 2)
+    if cold > 0.79 and cold + 0.12 * (fractal(u * 16, v * 8, 31, 16, 2) - 0.5) > 0.86:
         return (0.93, 0.95, 0.97)
-    if height < 0.48:
-        depth = round((0.48 - height) * 60) / 60
-        color = mix((0.16, 0.45, 0.66), (0.04, 0.16, 0.38), depth * 6)
+    if height < 0.43:
+        depth = round((0.43 - height) * 60) / 60
+        color = mix((0.24, 0.56, 0.74), (0.06, 0.22, 0.46), depth * 6)
     else:
-        color = mix((0.34, 0.55, 0.22), (0.70, 0.56, 0.32), round((height - 0.48) * 60) / 60 * 7)
-        color = mix(color, (0.88, 0.84, 0.76), (height - 0.66) * 14)
-    meridian = min((u * 24) % 1, 1 - (u * 24) % 1) / 24 * 512
-    parallel = min((v * 12) % 1, 1 - (v * 12) % 1) / 12 * 256
+        color = mix((0.34, 0.55, 0.22), (0.70, 0.56, 0.32), round((height - 0.43) * 60) / 60 * 7)
+        color = mix(color, (0.88, 0.84, 0.76), (height - 0.62) * 14)
+    meridian = min((u * 24) % 1, 1 - (u * 24) % 1) / 24 * 384
+    parallel = min((v * 12) % 1, 1 - (v * 12) % 1) / 12 * 192
     return shade(color, 0.8) if min(meridian, parallel) < 0.6 else color
 
 
@@ -170,6 +170,6 @@ TEXTURES = {
     "textured/brick.png": lambda: Picture(256, 256, brick_color),
     "textured/brick_normal.png": lambda: Picture(256, 256, brick_normal),
     "textured/label.png": lambda: Picture(512, 192, label_color),
-    "textured/globe.png": lambda: Picture(512, 256, globe_color),
+    "textured/globe.png": lambda: Picture(384, 192, globe_color),
     "textured/stars.png": lambda: Picture(128, 256, star_opacity),
 }

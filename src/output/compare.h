@@ -8,10 +8,10 @@ namespace sundog::output {
 
 /// Distances between two pictures of equal size, as they are stored: in 8-bit sRGB.
 struct Comparison {
-    double rmse = 0;      ///< Root of the mean square of all channels' differences, white being 1.
-    double psnr_db = 0;   ///< Infinite for equal pictures.
-    double ssim = 1;      ///< Mean SSIM of luma (Wang et al. 2004), 11x11 Gaussian, sigma 1.5.
-    double flip = 0;      ///< Mean LDR-FLIP (Andersson et al. 2020), 67 pixels per degree.
+    double rmse = 0;     ///< Root of the mean square of all channels' differences, white being 1.
+    double psnr_db = 0;  ///< Infinite for equal pictures.
+    double ssim = 1;     ///< Mean SSIM of luma (Wang et al. 2004), 11x11 Gaussian, sigma 1.5.
+    double flip = 0;     ///< Mean LDR-FLIP (Andersson et al. 2020), 67 pixels per degree.
     int max_difference_8bit = 0;
     double different_fraction = 0;  ///< Share of pixels with a channel more than 2/255 apart.
 };
