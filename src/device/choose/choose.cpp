@@ -13,8 +13,8 @@ namespace {
 
 /// The adapters, and which of them to use: the first usable hardware one, else (if wanted) the first usable one.
 struct Gpus {
+    std::string why_none;  // before the adapters: listing them fills it
     std::vector<VulkanAdapter> adapters;
-    std::string why_none;
 
     Gpus() : adapters(vulkan_adapters(why_none)) {}
     [[nodiscard]] std::optional<std::size_t> best(bool software_too) const {
