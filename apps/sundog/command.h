@@ -11,6 +11,7 @@ namespace sundog::app {
 using Action = std::function<int()>;
 
 void add_render(CLI::App& program, Action& action);
+void add_view(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_help(CLI::App& program, Action& action);

@@ -16,8 +16,9 @@ namespace {
 
 constexpr const char* kExamples =
     "Examples:\n"
+    "  sundog view scenes/table/table.scene\n"
     "  sundog render scenes/table/table.scene -o table.png --size 1920x1080\n"
-    "  sundog render scenes/table/table.scene -o turn-%04d.png --frames 0..249\n"
+    "  sundog render scenes/table/table.scene -o table.mp4 --frames 0..249\n"
     "  sundog info --devices\n"
     "'sundog help COMMAND' tells more of one. A scene is a .scene or .obj file; without one, raytracer.conf in the\n"
     "working folder names it.";
@@ -66,6 +67,7 @@ int run(int argc, char** argv) {
     program.require_subcommand(0, 1);
     Action action;
     add_render(program, action);
+    add_view(program, action);
     add_info(program, action);
     add_compare(program, action);
     add_help(program, action);

@@ -9,6 +9,7 @@
 #include "loading.h"
 #include "picture.h"
 #include "usage_error.h"
+#include "viewer/replay.h"
 
 namespace sundog::app {
 namespace {
@@ -24,6 +25,18 @@ constexpr const char* kExamples =
     "usage, 3 could not write, 130 interrupted.";
 
 constexpr float kLongestTime = 1e6F;
+
+kernel::Camera parse_camera(const std::string& text) {
+    const auto camera = viewer::parse_camera_argument(text);
+    if (!camera)
+        throw UsageError(
+            "--camera: expected twelve numbers with commas between "
+            "them: the eye, the way to the window's "
+            "middle, half its width and half its height, each x,y,z",
+            "the window of 'sundog view' shows the whole command for "
+            "a picked pixel");
+    return *camera;
+}
 
 /// The size that the picture will have, when neither option nor scene says: as
 /// make_frame decides.
@@ -138,6 +151,11 @@ void add_render(CLI::App& program, Action& action) {
             "--aov", [&a](Text text) { a.aovs = parse_aovs(text); },
             "Further layers of an .exr: depth,normal,albedo,object,samples,cost "
             "or all")
+        ->type_name("LIST");
+    command
+        ->add_option_function<std::string>(
+            "--camera", [&a](Text text) { a.frame.camera = parse_camera(text); },
+            "Instead of the scene's camera, as 'sundog view' writes it")
         ->type_name("LIST");
     command
         ->add_option_function<std::string>(
