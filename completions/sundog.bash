@@ -17,7 +17,7 @@ _sundog() {
     --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --threads | --spp | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain)
+    --threads | --spp | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
@@ -29,6 +29,7 @@ _sundog() {
     view) options+=" --size --device --threads --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm)' ;;
+    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load" ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word"); return ;;
   esac
   if [[ $word == -* ]]; then

@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
     add_view(program, action);
     add_info(program, action);
     add_compare(program, action);
+    add_bench(program, action);
     add_help(program, action);
     try {
         program.parse(argc, argv);

@@ -21,8 +21,7 @@ constexpr const char* kExamples =
     "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
     "  sundog render table.scene -o table.exr --aov depth,normal\n"
     "  sundog render table.scene -o - --size 320x240 | display\n"
-    "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad "
-    "usage, 3 could not write, 130 interrupted.";
+    "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
 
 constexpr float kLongestTime = 1e6F;
 
@@ -30,11 +29,9 @@ kernel::Camera parse_camera(const std::string& text) {
     const auto camera = viewer::parse_camera_argument(text);
     if (!camera)
         throw UsageError(
-            "--camera: expected twelve numbers with commas between "
-            "them: the eye, the way to the window's "
-            "middle, half its width and half its height, each x,y,z",
-            "the window of 'sundog view' shows the whole command for "
-            "a picked pixel");
+            "--camera: expected twelve numbers with commas between them: the eye, the way to the window's middle, half "
+            "its width and half its height, each x,y,z",
+            "the window of 'sundog view' shows the whole command for a picked pixel");
     return *camera;
 }
 
@@ -81,8 +78,7 @@ void add_render(CLI::App& program, Action& action) {
 
     command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
     command->add_option("-o,--output", a.output,
-                        "Picture (.png .jpg .exr .hdr .ppm), video (.mp4 .webm "
-                        ".gif), or - for standard output");
+                        "Picture (.png .jpg .exr .hdr .ppm), video (.mp4 .webm .gif), or - for standard output");
     command->add_option("--format", a.format, "Format of standard output: png (default), jpg, exr, hdr or ppm");
     command
         ->add_option_function<std::string>(
@@ -111,8 +107,7 @@ void add_render(CLI::App& program, Action& action) {
     command
         ->add_option_function<std::string>(
             "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },
-            "Most reflections and refractions on a path (else the scene's, else "
-            "5)")
+            "Most reflections and refractions on a path (else the scene's, else 5)")
         ->type_name("N");
     command
         ->add_option_function<std::string>(
@@ -149,8 +144,7 @@ void add_render(CLI::App& program, Action& action) {
     command
         ->add_option_function<std::string>(
             "--aov", [&a](Text text) { a.aovs = parse_aovs(text); },
-            "Further layers of an .exr: depth,normal,albedo,object,samples,cost "
-            "or all")
+            "Further layers of an .exr: depth,normal,albedo,object,samples,cost or all")
         ->type_name("LIST");
     command
         ->add_option_function<std::string>(

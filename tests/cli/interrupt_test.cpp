@@ -12,18 +12,25 @@
 namespace sundog::tests {
 namespace {
 
-/// True once the process handles SIGINT itself (the mask of caught signals in /proc/PID/status).
-bool catches_interrupts(pid_t pid) {
+enum class Readiness { not_yet, ready, ended };
+
+/// Whether the process handles SIGINT itself by now (the mask of caught signals in /proc/PID/status).
+Readiness readiness_of(pid_t pid) {
     std::ifstream in("/proc/" + std::to_string(pid) + "/status");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1)) & 1U;
-    return false;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("State:") && line.find('Z') != std::string::npos) return Readiness::ended;
+        if (line.starts_with("SigCgt:") && ((std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1)) & 1U))
+            return Readiness::ready;
+    }
+    return Readiness::not_yet;
 }
 
 /// Sends SIGINT as soon as the program is ready for it; false if it never is.
 bool interrupt_when_ready(const Program& program) {
     for (int i = 0; i < 6000; ++i) {
-        if (catches_interrupts(program.pid())) {
+        const Readiness readiness = readiness_of(program.pid());
+        if (readiness == Readiness::ended) return false;
+        if (readiness == Readiness::ready) {
             std::this_thread::sleep_for(std::chrono::milliseconds(200));  // Let it do something worth writing.
             return kill(program.pid(), SIGINT) == 0;
         }
