@@ -56,7 +56,7 @@ is_built() {
   local stamp="$root/build/$1/.built-$2"
   [ -e "$stamp" ] || return 1
   [ -z "$(find "$root/CMakeLists.txt" "$root/CMakePresets.json" "$root/cmake" "$root/src" "$root/apps" "$root/bench" \
-            "$root/tests" "$root/scripts/build.sh" -newer "$stamp" -print -quit)" ]
+            "$root/tests" "$root/scenes/CMakeLists.txt" "$root/scripts/build.sh" -newer "$stamp" -print -quit)" ]
 }
 
 # build PRESET TARGET: does nothing, quickly, where nothing changed since the last time.
