@@ -73,7 +73,9 @@ inline mask trace_any(SCENE Ray ray, mask alive) {
     alignas(64) RayPacket packet;
     store_ray(ray, packet);
     alignas(64) const vint valid = lane_ints(alive);
-    embree::Query query(true);
+    // Not as coherent where things move: Embree 3.13 never returns from rtcOccluded16 on coherent rays that meet an
+    // instance of shapes with callbacks.
+    embree::Query query(!FEATURE(FEATURE_INSTANCES));
     embree::any_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
                     query, packet);
     mask blocked = mask_and(alive, real(lanes_of(packet.tfar)) < real(0.0f));
