@@ -2,6 +2,9 @@
 // What the Device interface promises, asked of the GPU.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/diagnostics.h"
 #include "device/vulkan/vulkan_device.h"
 #include "test_devices.h"
@@ -118,6 +121,19 @@ TEST_F(GpuDevice, ForgetsTheSceneBefore) {
     gpu_->load(waves.scene);
     EXPECT_EQ(render(*gpu_, waves.frame, 1).radiance, first.radiance);
     EXPECT_GT(gpu_->memory_bytes(), memory_bytes(*waves.scene));
+}
+
+// Catches buffers for auxiliary planes that stay as small, or as few, as an earlier film wanted them.
+TEST_F(GpuDevice, GivesEachFilmItsOwnPlanes) {
+    const Prepared small = prepare(scene("matt triangles"), 8, 6);
+    const Prepared large = prepare(scene("matt triangles"), 40, 30);
+    gpu_->load(small.scene);
+    render(*gpu_, small.frame, 1, kernel::AOV_DEPTH);
+    render(*gpu_, large.frame, 1, 0);
+    const Film film = render(*gpu_, large.frame, 1, kernel::AOV_DEPTH | kernel::AOV_COST);
+    EXPECT_EQ(film.depth.back(), INFINITY);  // the sky
+    EXPECT_LT(*std::min_element(film.depth.begin(), film.depth.end()), 10);
+    for (const float cost : film.cost) EXPECT_GE(cost, 1);
 }
 
 // Catches a scene that is too large for the GPU and is neither refused nor named.

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 #include "device/cpu/cpu_device.h"
+#include "import/import.h"
 #include "test_devices.h"
 
 namespace sundog::parity {
@@ -48,22 +50,8 @@ bool on_edge(const Film& film, int x, int y) {
     return false;
 }
 
-class ImageParity : public testing::TestWithParam<TestScene> {};
-
-// Catches whatever the GPU computes otherwise than the CPU: shading, textures, shadows, mirrors, glass, motion,
-// clipping, culling, and a hierarchy that loses or displaces things. Validation messages fail it too.
-TEST_P(ImageParity, CpuAndGpuDrawTheSamePicture) {
-    std::vector<std::string> messages;
-    std::string why;
-    const auto gpu = open_gpu(messages, why);
-    if (!gpu) GTEST_SKIP() << "no GPU to compare with: " << why;
-    const auto cpu = make_cpu_device({.threads = 0, .lanes = 4});
-    const Prepared prepared = prepare(GetParam(), kWidth, kHeight);
-    gpu->load(prepared.scene);
-    cpu->load(prepared.scene);
-    const Film from_gpu = render(*gpu, prepared.frame, 1, kAovs);
-    const Film from_cpu = render(*cpu, prepared.frame, 1, kAovs);
-
+/// Compares two films pixel by pixel.
+void expect_same_picture(const Film& from_cpu, const Film& from_gpu) {
     int different = 0;
     int other_objects = 0;
     for (int y = 0; y < kHeight; ++y) {
@@ -85,7 +73,34 @@ TEST_P(ImageParity, CpuAndGpuDrawTheSamePicture) {
     const double allowed = kAllowedFraction * kWidth * kHeight;
     EXPECT_LE(different, allowed);
     EXPECT_LE(other_objects, allowed);
+}
+
+/// Draws the scene on both and compares; skips the test where there is no GPU. Validation messages fail it.
+void compare_devices(const TestScene& test) {
+    std::vector<std::string> messages;
+    std::string why;
+    const auto gpu = open_gpu(messages, why);
+    if (!gpu) GTEST_SKIP() << "no GPU to compare with: " << why;
+    const auto cpu = make_cpu_device({});
+    const Prepared prepared = prepare(test, kWidth, kHeight);
+    gpu->load(prepared.scene);
+    cpu->load(prepared.scene);
+    expect_same_picture(render(*cpu, prepared.frame, 1, kAovs), render(*gpu, prepared.frame, 1, kAovs));
     for (const std::string& message : messages) ADD_FAILURE() << message;
+}
+
+class ImageParity : public testing::TestWithParam<TestScene> {};
+
+// Catches whatever the GPU computes otherwise than the CPU: shading, textures, shadows, mirrors, glass, motion,
+// clipping, culling, and a hierarchy that loses or displaces things.
+TEST_P(ImageParity, CpuAndGpuDrawTheSamePicture) { compare_devices(GetParam()); }
+
+class GalleryParity : public testing::TestWithParam<std::string> {};
+
+// Catches the same on scenes of real size, as importers deliver them.
+TEST_P(GalleryParity, CpuAndGpuDrawTheSamePicture) {
+    const std::filesystem::path folder = std::filesystem::path(SUNDOG_SOURCE_DIR) / "scenes" / GetParam();
+    compare_devices({GetParam(), import::import_scene(folder / (GetParam() + ".scene"), {}), 1.5F});
 }
 
 std::string test_name(const testing::TestParamInfo<TestScene>& info) {
@@ -95,6 +110,8 @@ std::string test_name(const testing::TestParamInfo<TestScene>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ImageParity, testing::ValuesIn(test_scenes()), test_name);
+INSTANTIATE_TEST_SUITE_P(Gallery, GalleryParity, testing::Values("table", "cornell", "mirrors", "glass", "textured"),
+                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
 
 }  // namespace
 

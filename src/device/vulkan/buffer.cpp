@@ -81,13 +81,24 @@ Buffer::Buffer(const Gpu& gpu, std::size_t bytes, VkBufferUsageFlags usage, Memo
     }
 }
 
-void Buffer::invalidate(const Gpu& gpu) const {
-    if (coherent_) return;
+VkMappedMemoryRange Buffer::whole_range() const {
     VkMappedMemoryRange range{};
     range.sType = VK_STRUCTURE_TYPE_MAPPED_MEMORY_RANGE;
     range.memory = memory_.get();
     range.size = VK_WHOLE_SIZE;
+    return range;
+}
+
+void Buffer::invalidate(const Gpu& gpu) const {
+    if (coherent_) return;
+    const VkMappedMemoryRange range = whole_range();
     check(gpu.functions().vkInvalidateMappedMemoryRanges(gpu.device(), 1, &range), "reading GPU memory");
+}
+
+void Buffer::flush(const Gpu& gpu) const {
+    if (coherent_) return;
+    const VkMappedMemoryRange range = whole_range();
+    check(gpu.functions().vkFlushMappedMemoryRanges(gpu.device(), 1, &range), "writing GPU memory");
 }
 
 Buffer make_storage(Gpu& gpu, std::span<const std::byte> content, const std::string& name) {

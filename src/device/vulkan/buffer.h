@@ -31,8 +31,12 @@ public:
     [[nodiscard]] std::span<std::byte> mapped() const { return mapped_; }
     /// Makes what the GPU wrote visible to the host.
     void invalidate(const Gpu& gpu) const;
+    /// Makes what the host wrote visible to the GPU; only memory for reading back needs it.
+    void flush(const Gpu& gpu) const;
 
 private:
+    [[nodiscard]] VkMappedMemoryRange whole_range() const;
+
     // The memory must outlive the buffer that is bound to it.
     Owned<VkDeviceMemory> memory_;
     Owned<VkBuffer> buffer_;

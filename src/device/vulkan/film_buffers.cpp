@@ -63,7 +63,6 @@ void FilmBuffers::reserve(Gpu& gpu, Pipelines& pipelines, std::uint64_t pixels, 
         host_counters_ = Buffer(gpu, kCounterBytes, both, Memory::readback, "ray counters, on the host");
         pipelines.bind(kernel::BINDING_COUNTERS, counters_);
     }
-    const bool grow_aovs = !aov_values_.get() || (aovs != 0 && (aovs_ == 0 || pixels > pixels_));
     if (pixels > pixels_) {
         const std::size_t bytes = pixels * sizeof(Sum);
         radiance_ = Buffer(gpu, bytes, storage, Memory::device, "radiance");
@@ -71,21 +70,23 @@ void FilmBuffers::reserve(Gpu& gpu, Pipelines& pipelines, std::uint64_t pixels, 
         pipelines.bind(kernel::BINDING_RADIANCE, radiance_);
         pixels_ = pixels;
     }
-    if (grow_aovs) {
-        const std::size_t bytes = aovs != 0 ? pixels_ * sizeof(PixelAovs) : 0;
+    const std::uint64_t aov_pixels = aovs != 0 ? pixels : 0;
+    if (!aov_values_.get() || aov_pixels > aov_pixels_) {
+        const std::size_t bytes = aov_pixels * sizeof(PixelAovs);
         aov_values_ = Buffer(gpu, bytes, storage, Memory::device, "auxiliary values");
         host_aovs_ = Buffer(gpu, bytes, both, Memory::readback, "auxiliary values, on the host");
         pipelines.bind(kernel::BINDING_AOVS, aov_values_);
-        aovs_ = aovs;
+        aov_pixels_ = aov_pixels;
     }
 }
 
-void FilmBuffers::fetch(const Film& film, const PixelRect& rect) {
+void FilmBuffers::fetch(const Gpu& gpu, const Film& film, const PixelRect& rect) {
     const std::size_t row_bytes = static_cast<std::size_t>(rect.width()) * sizeof(Sum);
     std::byte* to = host_radiance_.mapped().data();
     for (int y = rect.y0; y < rect.y1; ++y, to += row_bytes) {
         std::memcpy(to, &film.radiance[film.index(rect.x0, y)], row_bytes);
     }
+    host_radiance_.flush(gpu);
 }
 
 void FilmBuffers::record_before(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool continues) const {
@@ -110,7 +111,7 @@ RayTotals FilmBuffers::store(const Gpu& gpu, Film& film, const PixelRect& rect, 
     for (int y = rect.y0; y < rect.y1; ++y, from += row_bytes) {
         std::memcpy(&film.radiance[film.index(rect.x0, y)], from, row_bytes);
     }
-    const bool takes_cost = (film.aovs & aovs_ & kernel::AOV_COST) != 0;
+    const bool takes_cost = (film.aovs & kernel::AOV_COST) != 0;
     if (film.aovs != 0 && (first_sample == 0 || takes_cost)) {
         host_aovs_.invalidate(gpu);
         const std::byte* values = host_aovs_.mapped().data();

@@ -26,7 +26,7 @@ public:
     /// Makes room for so many pixels. Errors: DeviceError.
     void reserve(Gpu& gpu, Pipelines& pipelines, std::uint64_t pixels, std::uint32_t aovs);
     /// Takes the sums that the next dispatch goes on from.
-    void fetch(const Film& film, const PixelRect& rect);
+    void fetch(const Gpu& gpu, const Film& film, const PixelRect& rect);
     /// Commands before and after the dispatch: with `continues`, fetched sums go to the GPU first.
     void record_before(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool continues) const;
     void record_after(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool with_aovs) const;
@@ -34,8 +34,7 @@ public:
     RayTotals store(const Gpu& gpu, Film& film, const PixelRect& rect, std::uint32_t first_sample) const;
 
 private:
-    std::uint64_t pixels_ = 0;
-    std::uint32_t aovs_ = 0;
+    std::uint64_t pixels_ = 0, aov_pixels_ = 0;  // room
     Buffer radiance_, aov_values_, counters_;
     Buffer host_radiance_, host_aovs_, host_counters_;
 };

@@ -120,6 +120,7 @@ DeviceFunctions::DeviceFunctions(const InstanceFunctions& instance, VkDevice dev
     load(vkDestroyPipelineLayout, "vkDestroyPipelineLayout");
     load(vkDestroyShaderModule, "vkDestroyShaderModule");
     load(vkEndCommandBuffer, "vkEndCommandBuffer");
+    load(vkFlushMappedMemoryRanges, "vkFlushMappedMemoryRanges");
     load(vkFreeMemory, "vkFreeMemory");
     load(vkGetBufferMemoryRequirements, "vkGetBufferMemoryRequirements");
     load(vkGetDeviceQueue, "vkGetDeviceQueue");

@@ -82,6 +82,7 @@ struct DeviceFunctions {
     PFN_vkDestroyPipelineLayout vkDestroyPipelineLayout = nullptr;
     PFN_vkDestroyShaderModule vkDestroyShaderModule = nullptr;
     PFN_vkEndCommandBuffer vkEndCommandBuffer = nullptr;
+    PFN_vkFlushMappedMemoryRanges vkFlushMappedMemoryRanges = nullptr;
     PFN_vkFreeMemory vkFreeMemory = nullptr;
     PFN_vkGetBufferMemoryRequirements vkGetBufferMemoryRequirements = nullptr;
     PFN_vkGetDeviceQueue vkGetDeviceQueue = nullptr;

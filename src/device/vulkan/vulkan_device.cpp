@@ -86,7 +86,7 @@ private:
     RayTotals render_piece(VkPipeline pipeline, const Piece& piece, Film& film) {
         film_buffers_.reserve(gpu_, pipelines_, pixels_of(piece), film.aovs);
         const bool continues = piece.first_sample != 0;
-        if (continues) film_buffers_.fetch(film, piece.rect);
+        if (continues) film_buffers_.fetch(gpu_, film, piece.rect);
         const PixelRect& rect = piece.rect;
         const kernel::Dispatch dispatch{static_cast<std::uint32_t>(rect.x0),
                                         static_cast<std::uint32_t>(rect.y0),
