@@ -117,11 +117,13 @@ def glass():
     m = Model("Glass", "glass.mtl")
     m.object("floor", "checks")
     m.quad([(-12, -12, 0), (12, -12, 0), (12, 12, 0), (-12, 12, 0)])
+    # All stand a little above the floor: where faces coincide, rounding decides which one a ray inside the glass meets.
+    above = 0.005
     m.object("slab", "amber")
-    m.box((-1.1, -0.09, 0), (1.1, 0.09, 2.5), placed((-1.55, 1.55, 0), 28))
+    m.box((-1.1, -0.09, above), (1.1, 0.09, 2.5), placed((-1.55, 1.55, 0), 28))
     m.object("prism", "emerald")
     corner = [(0.78 * cos(radians(a)), 0.78 * sin(radians(a))) for a in (0, 120, 240)]
-    m.prism(corner, 0, 1.9, placed((1.95, 0.85, 0), 40))
+    m.prism(corner, above, 1.9, placed((1.95, 0.85, 0), 40))
     m.object("bowl", "sapphire")
     outer, wall, steps = 0.85, 0.09, 12
     angles = [-pi / 2 + (pi / 2 - 0.06) * k / steps for k in range(steps + 1)]
@@ -131,7 +133,7 @@ def glass():
     profile += [(outer - wall / 2, -0.012)]
     profile += [(inner * cos(t), inner * sin(t)) for t in reversed(angles)]
     profile[-1] = (0.0, -inner)
-    m.lathe((1.25, -1.35, outer + 0.005), profile, 40)
+    m.lathe((1.25, -1.35, outer + above), profile, 40)
     return m
 
 
