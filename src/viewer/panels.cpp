@@ -61,6 +61,10 @@ void device_menu(const Status& status, Controls& controls) {
 }
 
 void picture_line(const Status& status) {
+    if (status.samples == 0) {  // a driver may take seconds to compile for a scene
+        colored(kAccent, "preparing the first picture");
+        return;
+    }
     const std::string size = fmt::format("{} \u00d7 {}", status.size.width, status.size.height);
     if (status.pictures_per_s > 0) {
         colored(kFaint,
@@ -211,7 +215,7 @@ void pixel_panel(std::optional<PickedPixel>& picked, Controls& controls) {
 }
 
 // Messages stand in the lower part, over the time line.
-void error_panel(const std::string& error) {
+void error_panel(const std::string& error, bool has_picture) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float above_time_line = ImGui::GetFrameHeight() + 4 * margin();
     ImGui::SetNextWindowPos({screen.x / 2, screen.y - above_time_line}, ImGuiCond_Always, {0.5F, 1});
@@ -220,7 +224,7 @@ void error_panel(const std::string& error) {
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4{0.20F, 0.05F, 0.05F, 0.93F});
     ImGui::PushStyleColor(ImGuiCol_Border, ImVec4{0.80F, 0.30F, 0.25F, 0.8F});
     ImGui::Begin("##error", nullptr, kOverlay & ~ImGuiWindowFlags_AlwaysAutoResize);
-    colored(kAlarm, "Still showing the last good picture");
+    if (has_picture) colored(kAlarm, "Still showing the last good picture");
     code(error);
     ImGui::End();
     ImGui::PopStyleColor(2);
@@ -312,7 +316,7 @@ void draw_panels(Status& status, Controls& controls, Playback& playback) {
         pixel_panel(status.picked, controls);
         if (status.animated) time_line(playback);
     }
-    if (!status.error.empty()) error_panel(status.error);
+    if (!status.error.empty()) error_panel(status.error, status.samples > 0);
     if (!status.note.empty()) note_panel(status.note);
     if (controls.show_help) help_overlay();
 }
