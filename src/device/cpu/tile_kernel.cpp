@@ -42,13 +42,13 @@ FN void store_ray(const Ray& ray, RayPacket& packet) {
     lanes_of(packet.flags) = vuint{};
 }
 
-inline Hit trace_closest(SCENE Ray ray, mask alive, bool from_eye) {
+inline Hit trace_closest(SCENE Ray ray, mask alive, bool coherent_rays) {
     alignas(64) RayHitPacket packet;
     store_ray(ray, packet.ray);
     lanes_of(packet.hit.geomID) = vuint{} - 1u;
     lanes_of(packet.hit.instID[0]) = vuint{} - 1u;
     alignas(64) const vint valid = lane_ints(alive);
-    embree::Query query(from_eye);
+    embree::Query query(coherent_rays);
     embree::closest_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
                         query, packet);
     Hit hit;

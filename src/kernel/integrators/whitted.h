@@ -2,10 +2,11 @@
 // Whitted's ray tracing (An Improved Illumination Model for Shaded Display, CACM 1980), iterative.
 //
 // Before including this header the device defines, in the kernel's namespace:
-//   Hit trace_closest(SCENE Ray ray, mask alive, bool from_eye)   nearest hit in (t_min, t_max); geometry NONE on a
-//   miss mask trace_any(SCENE Ray ray, mask alive)                     true where anything opaque or not lies in
+//   Hit trace_closest(SCENE Ray ray, mask alive, bool coherent_rays)   nearest hit in (t_min, t_max); geometry NONE on
+//   a miss mask trace_any(SCENE Ray ray, mask alive)                     true where anything opaque or not lies in
 //   (t_min, t_max)
-// from_eye tells that these are the primary rays of neighbouring pixels. Lanes that aren't alive may return anything.
+// coherent_rays tells that they start or end close together (from the eye, to a lamp). Lanes that aren't alive may
+// return anything.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 #define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 

@@ -22,8 +22,14 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
     }
     real3 transmittance = real3(real(1.0f));
     for (uint surface = 0u; surface < MAX_SHADOW_SURFACES; surface = surface + 1u) {
-        Hit hit = trace_closest(SCENE_ ray, alive, false);
+        Hit hit = trace_closest(SCENE_ ray, alive, true);
         alive = mask_and(alive, hit.geometry != word(NONE));
+        if (!any_lane(alive)) return transmittance;
+        // Most of what stands in the way is opaque: that is told from the material alone.
+        word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
+        mask opaque = mask_and(alive, (flags & word(MATERIAL_TRANSPARENT)) == word(0u));
+        transmittance = select(opaque, real3(real(0.0f)), transmittance);
+        alive = mask_and(alive, mask_not(opaque));
         if (!any_lane(alive)) return transmittance;
         Surface s = surface_at(SCENE_ ray, hit, alive);
         Lobes lobes = evaluate_material(SCENE_ s, ray.direction);

@@ -46,6 +46,32 @@ FN real2 triangle_uv(SCENE word primitive, real u, real v) {
     return select(present, uv, real2(real(0.0f), real(0.0f)));
 }
 
+/// The material of a hit in the lanes of `found`, some valid one in others.
+FN word hit_material(SCENE Hit hit, mask found) {
+    word geometry = select(found, hit.geometry, word(0u));
+    word primitive = select(found, hit.primitive, word(0u));
+    if (!FEATURE(FEATURE_ANALYTIC)) return FIELD(triangles, primitive, material);
+    word kind = FIELD(geometries, geometry, kind);
+    mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
+    mask is_sphere = kind == word(GEOMETRY_SPHERE);
+    mask is_box = kind == word(GEOMETRY_BOX);
+    mask is_plane = kind == word(GEOMETRY_PLANE);
+    word material = FIELD(triangles, select(is_triangle, primitive, word(0u)), material);
+    if (any_lane(is_sphere)) {
+        word sphere = select(is_sphere, primitive, word(0u));
+        material = select(is_sphere, FIELD(spheres, sphere, material), material);
+    }
+    if (any_lane(is_box)) {
+        word box = select(is_box, primitive, word(0u));
+        material = select(is_box, FIELD(boxes, box, material), material);
+    }
+    if (any_lane(is_plane)) {
+        word plane = select(is_plane, primitive, word(0u));
+        material = select(is_plane, FIELD(planes, plane, material), material);
+    }
+    return material;
+}
+
 /// Everything about a hit, in the lanes of `found`; others hold some valid surface.
 FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
     Surface s;
@@ -72,7 +98,7 @@ FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
 
     mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
     word triangle = select(is_triangle, s.primitive, word(0u));
-    s.material = FIELD(triangles, triangle, material);
+    s.material = hit_material(SCENE_ hit, found);
     if (FEATURE(FEATURE_SMOOTH)) {
         word a = FIELD(triangle_normals, triangle, a);
         mask smoothed = mask_and(mask_and(is_triangle, found), a != word(NONE));
@@ -88,27 +114,18 @@ FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
     if (FEATURE(FEATURE_TEXTURES)) s.uv = triangle_uv(SCENE_ triangle, hit.u, hit.v);
 
     if (FEATURE(FEATURE_ANALYTIC)) {
-        real3 unit_outward = normalize(outward);
-        mask is_sphere = kind == word(GEOMETRY_SPHERE);
-        if (any_lane(is_sphere)) {
-            word sphere = select(is_sphere, s.primitive, word(0u));
-            s.material = select(is_sphere, FIELD(spheres, sphere, material), s.material);
-            if (FEATURE(FEATURE_TEXTURES)) s.uv = select(is_sphere, sphere_uv(unit_outward), s.uv);
-        }
-        mask is_box = kind == word(GEOMETRY_BOX);
-        if (any_lane(is_box)) {
-            word box = select(is_box, s.primitive, word(0u));
-            s.material = select(is_box, FIELD(boxes, box, material), s.material);
-            if (FEATURE(FEATURE_TEXTURES)) {
+        if (FEATURE(FEATURE_TEXTURES)) {
+            real3 unit_outward = normalize(outward);
+            mask is_sphere = kind == word(GEOMETRY_SPHERE);
+            if (any_lane(is_sphere)) s.uv = select(is_sphere, sphere_uv(unit_outward), s.uv);
+            mask is_box = kind == word(GEOMETRY_BOX);
+            if (any_lane(is_box)) {
+                word box = select(is_box, s.primitive, word(0u));
                 real2 uv = box_uv(object_point, unit_outward, FIELD(boxes, box, lower), FIELD(boxes, box, upper));
                 s.uv = select(is_box, uv, s.uv);
             }
-        }
-        mask is_plane = kind == word(GEOMETRY_PLANE);
-        if (any_lane(is_plane)) {
-            word plane = select(is_plane, s.primitive, word(0u));
-            s.material = select(is_plane, FIELD(planes, plane, material), s.material);
-            if (FEATURE(FEATURE_TEXTURES)) s.uv = select(is_plane, plane_uv(object_point, unit_outward), s.uv);
+            mask is_plane = kind == word(GEOMETRY_PLANE);
+            if (any_lane(is_plane)) s.uv = select(is_plane, plane_uv(object_point, unit_outward), s.uv);
         }
     }
 

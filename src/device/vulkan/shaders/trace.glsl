@@ -148,7 +148,7 @@ Hit trace(Ray world_ray, bool any_will_do) {
     return hit;
 }
 
-Hit trace_closest(Ray ray, bool alive, bool from_eye) {
+Hit trace_closest(Ray ray, bool alive, bool coherent_rays) {
     if (!alive) return Hit(ray.t_max, 0.0f, 0.0f, NONE, NONE, vec3(0.0f));
     return trace(ray, false);
 }
