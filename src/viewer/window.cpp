@@ -2,6 +2,7 @@
 #include "viewer/window.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/diagnostics.h"
 
@@ -23,6 +24,13 @@ SdlVideo::SdlVideo() {
     // Ctrl-C on the terminal stays with the program that opened the window.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+    // Without a display SDL falls back to drivers whose window nobody sees and nobody can close.
+    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    const bool unseen = driver == "offscreen" || driver == "dummy" || driver == "evdev";
+    if (unseen && !SDL_GetHint(SDL_HINT_VIDEODRIVER)) {
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+        throw DeviceError("no window can be opened: there is no display (DISPLAY and WAYLAND_DISPLAY are not set)");
+    }
 }
 
 SdlVideo::~SdlVideo() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
