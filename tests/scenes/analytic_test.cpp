@@ -232,6 +232,13 @@ TEST_F(Analytic, SameBitsForAnySplit) {
     for (const PixelRect part : {PixelRect{0, 0, 37, 67}, PixelRect{37, 0, 101, 11}, PixelRect{37, 11, 101, 67}})
         one->render(whole.frame, {part, 0, 1}, film, stop);
     EXPECT_EQ(film.radiance, whole.film.radiance);
+
+    // Seven samples at once, and as 1 + 2 + 4.
+    Film at_once(film.bounds), in_parts(film.bounds);
+    one->render(whole.frame, {film.bounds, 0, 7}, at_once, stop);
+    for (const RenderWork part : {RenderWork{film.bounds, 0, 1}, {film.bounds, 1, 2}, {film.bounds, 3, 4}})
+        one->render(whole.frame, part, in_parts, stop);
+    EXPECT_EQ(at_once.radiance, in_parts.radiance);
 }
 
 }  // namespace

@@ -130,8 +130,41 @@ struct BlockResult {
     FirstHit first;
 };
 
-BlockResult trace_block(const SceneView& view, const BlockPixels& pixels, mask in_image, const TileWork& work) {
+/// A block's sums in memory, lane by lane: picking lanes out of registers one at a time is slow.
+struct StoredLanes {
+    alignas(64) std::array<float, kLanes> r{}, g{}, b{};
+};
+
+/// Calls visit(lane, place in the film) for those pixels of the block at (x0, y0) that the work may write.
+template <class Visit>
+[[gnu::always_inline]] inline void for_each_pixel(int x0, int y0, const TileWork& work, const Visit& visit) {
+    const int first_column = std::max(work.region.x0 - x0, 0);
+    const int columns = std::min(work.region.x1 - x0, kBlockWidth);
+    const int first_row = std::max(work.region.y0 - y0, 0);
+    const int rows = std::min(work.region.y1 - y0, kBlockHeight);
+    for (int row = first_row; row < rows; ++row) {
+        const std::size_t first = work.film.index(x0 + first_column, y0 + row);
+        for (int column = first_column; column < columns; ++column)
+            visit(static_cast<std::size_t>(row * kBlockWidth + column),
+                  first + static_cast<std::size_t>(column - first_column));
+    }
+}
+
+/// What the film holds of a block so far. New samples are added to it one by one, as if there had been no break, so
+/// that a picture's bits don't depend on how its samples are split into works.
+real3 sums_so_far(int x0, int y0, const TileWork& work) {
+    StoredLanes stored;
+    for_each_pixel(x0, y0, work, [&](std::size_t lane, std::size_t i) {
+        const std::array<float, 4>& sum = work.film.radiance[i];
+        stored.r[lane] = sum[0], stored.g[lane] = sum[1], stored.b[lane] = sum[2];
+    });
+    return real3(real(lanes_of(stored.r.data())), real(lanes_of(stored.g.data())), real(lanes_of(stored.b.data())));
+}
+
+BlockResult trace_block(const SceneView& view, int x0, int y0, mask in_image, const TileWork& work) {
+    const BlockPixels pixels(x0, y0);
     BlockResult block;
+    if (work.first_sample > 0) block.radiance = sums_so_far(x0, y0, work);
     const real x(__builtin_convertvector(pixels.x, vfloat));
     const real y(__builtin_convertvector(pixels.y, vfloat));
     const float per_width = 1.0F / static_cast<float>(view.frame.width);
@@ -146,16 +179,6 @@ BlockResult trace_block(const SceneView& view, const BlockPixels& pixels, mask i
     }
     return block;
 }
-
-/// A block's numbers in memory, lane by lane: picking lanes out of registers one at a time is slow.
-struct StoredLanes {
-    explicit StoredLanes(const BlockResult& block) {
-        lanes_of(r.data()) = block.radiance.x.v;
-        lanes_of(g.data()) = block.radiance.y.v;
-        lanes_of(b.data()) = block.radiance.z.v;
-    }
-    alignas(64) std::array<float, kLanes> r, g, b;
-};
 
 /// AOVs of one pixel: the first sample's, and the sum of costs.
 void add_aovs(Film& film, std::size_t i, const BlockResult& block, int lane, bool fresh) {
@@ -174,26 +197,19 @@ void add_aovs(Film& film, std::size_t i, const BlockResult& block, int lane, boo
     }
 }
 
-/// Adds the block whose first pixel is (x0, y0) to those of the film's pixels that the work may write.
-void add_to_film(int x0, int y0, const BlockResult& block, const TileWork& work) {
+/// Puts a block's sums and AOVs into the film.
+void store_block(int x0, int y0, const BlockResult& block, const TileWork& work) {
     Film& film = work.film;
-    const StoredLanes stored(block);
-    const float samples = static_cast<float>(work.sample_count);
+    StoredLanes stored;
+    lanes_of(stored.r.data()) = block.radiance.x.v;
+    lanes_of(stored.g.data()) = block.radiance.y.v;
+    lanes_of(stored.b.data()) = block.radiance.z.v;
     const bool fresh = work.first_sample == 0;
-    const int first_column = std::max(work.region.x0 - x0, 0);
-    const int columns = std::min(work.region.x1 - x0, kBlockWidth);
-    const int first_row = std::max(work.region.y0 - y0, 0);
-    const int rows = std::min(work.region.y1 - y0, kBlockHeight);
-    for (int row = first_row; row < rows; ++row) {
-        std::array<float, 4>* const sums = &film.radiance[film.index(x0 + first_column, y0 + row)] - first_column;
-        for (int column = first_column; column < columns; ++column) {
-            const auto lane = static_cast<std::size_t>(row * kBlockWidth + column);
-            std::array<float, 4>& sum = sums[column];
-            if (fresh) sum = {stored.r[lane], stored.g[lane], stored.b[lane], samples};
-            else sum = {sum[0] + stored.r[lane], sum[1] + stored.g[lane], sum[2] + stored.b[lane], sum[3] + samples};
-            if (film.aovs != 0) add_aovs(film, film.index(x0 + column, y0 + row), block, static_cast<int>(lane), fresh);
-        }
-    }
+    const auto samples = static_cast<float>(work.first_sample + work.sample_count);
+    for_each_pixel(x0, y0, work, [&](std::size_t lane, std::size_t i) {
+        film.radiance[i] = {stored.r[lane], stored.g[lane], stored.b[lane], samples};
+        if (film.aovs != 0) add_aovs(film, i, block, static_cast<int>(lane), fresh);
+    });
 }
 
 }  // namespace
@@ -209,10 +225,10 @@ TileRays SUNDOG_KERNEL_PASTE(render_tile_, SUNDOG_KERNEL_LANES)(const TileWork& 
         for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
             const BlockPixels pixels(x, y);
             vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
-            const BlockResult block = trace_block(view, pixels, word(inside) != word(0U), work);
+            const BlockResult block = trace_block(view, x, y, word(inside) != word(0U), work);
             rays.rays += sum_lanes(block.counts.rays);
             rays.shadow_rays += sum_lanes(block.counts.shadow_rays);
-            add_to_film(x, y, block, work);
+            store_block(x, y, block, work);
         }
     }
     return rays;
