@@ -21,7 +21,7 @@ namespace {
 /// lamp.
 scene::Scene square_under_lamp() {
     scene::Scene scene;
-    scene.materials.push_back({.name = "matt"});
+    scene.materials.emplace_back().name = "matt";
     scene::Mesh mesh;
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     const std::uint32_t none = scene::kNone;
@@ -31,7 +31,7 @@ scene::Scene square_under_lamp() {
     object.name = "square";
     object.shape = mesh;
     scene.objects.push_back(object);
-    scene.lights.push_back({.place = {0, 0, 5}});
+    scene.lights.emplace_back().place = {0, 0, 5};
     scene.camera.rot_x_deg.base = -90;
     scene.camera.distance = 0.5F;
     return scene;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gallery's scenes against pictures of them that were looked at and kept beside this file. One that changed on purpose is
-// made again by
+// The gallery's scenes against pictures of them that were looked at and kept beside this file. One that changed on
+// purpose is made again by
 //     sundog render scenes/NAME/NAME.scene -o tests/images/NAME.png --size 160x120 --time 1 --spp 4
 #include <gtest/gtest.h>
 
@@ -37,9 +37,9 @@ output::Image render_at_one_second(const std::filesystem::path& file) {
 
 class GalleryPicture : public testing::TestWithParam<const char*> {};
 
-// Catches whatever changes a picture as a whole: colours, lights, shadows, mirrors, glass, textures, motion, the camera, and
-// warnings about the gallery's files. The bounds leave room for another Embree's rounding at edges: 38 dB is a root mean square
-// of 3.2/255, and a mean FLIP of 0.01 can't be seen.
+// Catches whatever changes a picture as a whole: colours, lights, shadows, mirrors, glass, textures, motion, the
+// camera, and warnings about the gallery's files. The bounds leave room for another Embree's rounding at edges: 38 dB
+// is a root mean square of 3.2/255, and a mean FLIP of 0.01 can't be seen.
 TEST_P(GalleryPicture, IsAsItWas) {
     const std::filesystem::path source = SUNDOG_SOURCE_DIR;
     const std::string name = GetParam();
