@@ -64,7 +64,7 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, bool coherent_rays) {
     }
     const mask found = mask_and(alive, hit.geometry != word(NONE));
     hit.primitive =
-        word(lanes_of(packet.hit.primID)) + FIELD(geometries, select(found, hit.geometry, word(0u)), first_primitive);
+        word(lanes_of(packet.hit.primID)) + FIELD(geometries, valid_index(found, hit.geometry), first_primitive);
     if (scene.frame.plane_count > 0) closest_plane(scene, ray, alive, hit);
     return hit;
 }
@@ -218,7 +218,7 @@ TileRays SUNDOG_KERNEL_PASTE(render_tile_, SUNDOG_KERNEL_LANES)(const TileWork& 
     const SceneView view = view_of(work);
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);
-    TileRays rays;
+    RayCounts counts{word(0U), word(0U)};
     // Blocks are aligned to the image, whatever the region: a lane's bits can depend on the lanes beside it (Embree may
     // trace a thin packet another way), so those must always be the same ones.
     for (int y = work.region.y0 / kBlockHeight * kBlockHeight; y < work.region.y1; y += kBlockHeight) {
@@ -226,12 +226,12 @@ TileRays SUNDOG_KERNEL_PASTE(render_tile_, SUNDOG_KERNEL_LANES)(const TileWork& 
             const BlockPixels pixels(x, y);
             vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
             const BlockResult block = trace_block(view, x, y, word(inside) != word(0U), work);
-            rays.rays += sum_lanes(block.counts.rays);
-            rays.shadow_rays += sum_lanes(block.counts.shadow_rays);
+            counts.rays = counts.rays + block.counts.rays;
+            counts.shadow_rays = counts.shadow_rays + block.counts.shadow_rays;
             store_block(x, y, block, work);
         }
     }
-    return rays;
+    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
 }
 
 }  // namespace sundog::cpu

@@ -10,7 +10,7 @@
 // - FN starts a function; OUT(T), INOUT(T) its output parameters.
 // - SCENE is a function's first parameter where it reads the scene, SCENE_ the argument that passes it on.
 // - AT(array, i): element at a uniform index. FIELD(array, i, field), GET(array, i): at a varying one, which must be
-//   valid in every lane, active or not.
+//   valid in every lane, active or not: valid_index(mask, i) makes it so.
 // - FRAME.x: a frame parameter. FEATURE(bits): whether the scene needs any of these FEATURE_* bits.
 // - Float literals end in f. No references, pointers, recursion, templates, default arguments.
 #ifdef __cplusplus

@@ -29,6 +29,7 @@ bool mask_not(bool a) { return !a; }
 bool select_mask(bool m, bool a, bool b) { return m ? a : b; }
 bool any_lane(bool m) { return m; }
 bool all_lanes(bool m) { return m; }
+uint valid_index(bool m, uint i) { return m ? i : 0u; }
 uint as_word(float x) { return floatBitsToUint(x); }
 float as_real(uint x) { return uintBitsToFloat(x); }
 uint word_from_real(float x) { return uint(int(x)); }

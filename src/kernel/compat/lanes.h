@@ -95,10 +95,10 @@ inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
     FN real abs(real x) { return from_native(_mm512_abs_ps(native(x))); }
     /// -1 in active lanes, 0 in others: the form in which traversals want it.
     FN vint lane_ints(mask m) { return std::bit_cast<vint>(_mm512_movm_epi32(m.m)); }
-    FN real gather(const float* first, std::size_t stride_words, word i) {
+    FN real gather_lanes(const float* first, std::size_t stride_words, word i) {
         return from_native(_mm512_i32gather_ps(native(i * word(static_cast<uint>(stride_words))), first, 4));
     }
-    FN word gather(const uint* first, std::size_t stride_words, word i) {
+    FN word gather_lanes(const uint* first, std::size_t stride_words, word i) {
         return from_native(_mm512_i32gather_epi32(native(i * word(static_cast<uint>(stride_words))), first, 4));
     }
 
@@ -123,11 +123,11 @@ inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
     }
     FN real sqrt(real x) { return real(std::bit_cast<vfloat>(_mm256_sqrt_ps(std::bit_cast<__m256>(x.v)))); }
     FN real floor(real x) { return real(std::bit_cast<vfloat>(_mm256_floor_ps(std::bit_cast<__m256>(x.v)))); }
-    FN real gather(const float* first, std::size_t stride_words, word i) {
+    FN real gather_lanes(const float* first, std::size_t stride_words, word i) {
         const word offset = i * word(static_cast<uint>(stride_words));
         return real(std::bit_cast<vfloat>(_mm256_i32gather_ps(first, std::bit_cast<__m256i>(offset.v), 4)));
     }
-    FN word gather(const uint* first, std::size_t stride_words, word i) {
+    FN word gather_lanes(const uint* first, std::size_t stride_words, word i) {
         const word offset = i * word(static_cast<uint>(stride_words));
         return word(std::bit_cast<vuint>(
             _mm256_i32gather_epi32(reinterpret_cast<const int*>(first), std::bit_cast<__m256i>(offset.v), 4)));
@@ -140,12 +140,12 @@ inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
     }
     FN real sqrt(real x) { return real(std::bit_cast<vfloat>(_mm_sqrt_ps(std::bit_cast<__m128>(x.v)))); }
     FN real floor(real x) { return real(std::bit_cast<vfloat>(_mm_floor_ps(std::bit_cast<__m128>(x.v)))); }
-    FN real gather(const float* first, std::size_t stride_words, word i) {
+    FN real gather_lanes(const float* first, std::size_t stride_words, word i) {
         vfloat v{};
         for (int lane = 0; lane < kLanes; ++lane) v[lane] = first[stride_words * i.v[lane]];
         return real(v);
     }
-    FN word gather(const uint* first, std::size_t stride_words, word i) {
+    FN word gather_lanes(const uint* first, std::size_t stride_words, word i) {
         vuint v{};
         for (int lane = 0; lane < kLanes; ++lane) v[lane] = first[stride_words * i.v[lane]];
         return word(v);
@@ -169,6 +169,23 @@ inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
     FN float floor(float x) { return std::floor(x); }
     FN float min(float a, float b) { return a < b ? a : b; }
     FN float max(float a, float b) { return a > b ? a : b; }
+
+    /// True where all lanes hold the same index: neighbouring rays mostly hit the same thing, and one load is then
+    /// worth
+    /// many. (The compiler asks once for all fields of a struct.)
+    FN bool same_in_all_lanes(word i) { return all_lanes(i == word(i.v[0])); }
+    FN real gather(const float* first, std::size_t stride_words, word i) {
+        return same_in_all_lanes(i) ? real(first[stride_words * i.v[0]]) : gather_lanes(first, stride_words, i);
+    }
+    FN word gather(const uint* first, std::size_t stride_words, word i) {
+        return same_in_all_lanes(i) ? word(first[stride_words * i.v[0]]) : gather_lanes(first, stride_words, i);
+    }
+    /// `i` in the lanes of m, and one of those values in the others, so that these neither point astray nor spoil what
+    /// is alike.
+    FN word valid_index(mask m, word i) {
+        const unsigned bits = lane_bits(m);
+        return select(m, i, word(bits == 0 ? 0u : i.v[__builtin_ctz(bits)]));
+    }
 
     FN real load(const float* first, std::size_t stride_bytes, word i) { return gather(first, stride_bytes / 4, i); }
     FN word load(const uint* first, std::size_t stride_bytes, word i) { return gather(first, stride_bytes / 4, i); }

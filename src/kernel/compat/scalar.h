@@ -32,6 +32,8 @@ FN real max(real a, real b) { return a > b ? a : b; }
 FN real select(mask m, real a, real b) { return m ? a : b; }
 FN word select(mask m, word a, word b) { return m ? a : b; }
 
+FN word valid_index(mask m, word i) { return m ? i : 0u; }
+
 template <class T>
 FN T load(const T* first, std::size_t stride_bytes, word i) {
     return *reinterpret_cast<const T*>(reinterpret_cast<const char*>(first) + stride_bytes * i);

@@ -25,7 +25,7 @@ struct PathState {
     mask alive;
 };
 
-/// What the primary ray found, for AOVs.
+/// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
 struct FirstHit {
     real t;
     real3 normal;
@@ -59,7 +59,8 @@ FN void direct_light(SCENE Surface s, Lobes lobes, real3 to_eye, mask alive, INO
             }
             light_color = select(lit, light_color, real3(real(0.0f)));
             base = base + lobes.diffuse * light_color * cosine;
-            if (FEATURE(FEATURE_HIGHLIGHTS)) {
+            real specular_most = max(lobes.specular.x, max(lobes.specular.y, lobes.specular.z));
+            if (any_lane(mask_and(lit, specular_most > real(0.0f)))) {
                 real blinn = blinn_phong_highlight(s.normal, to_light, to_eye, lobes.shininess);
                 if (any_lane(lobes.phong)) {
                     blinn = select(lobes.phong, phong_highlight(s.normal, to_light, to_eye, lobes.shininess), blinn);
@@ -108,7 +109,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             real3 base;
             real3 highlight;
             direct_light(SCENE_ s, lobes, -path.ray.direction, found, counts, base, highlight);
-            if (is_first) {
+            if (is_first && FRAME.aovs != 0u) {
                 first.t = select(found, hit.t, first.t);
                 first.normal = select(found, s.normal, black);
                 first.albedo = select(found, lobes.diffuse, black);
@@ -140,46 +141,48 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                 real3 own = base * max(one - r - t, black) + highlight * (one - r);
                 radiance = radiance + select(found, path.weight * own, black);
 
-                path.depth = path.depth + word(1u);
-                real3 incoming = path.ray.direction;
-                real3 reflected_direction = mirror_direction(incoming, s.normal);
-                // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
-                real into = dot(reflected_direction, s.geometric_normal);
-                real3 lifted = reflected_direction - s.geometric_normal * (2.0f * into);
-                reflected_direction = select(into < real(0.0f), lifted, reflected_direction);
-                Ray next;
-                next.t_min = real(0.0f);
-                next.t_max = real(3.0e38f);
-                next.origin = s.position + s.geometric_normal * s.error;
-                next.direction = reflected_direction;
-                if (FEATURE(FEATURE_TRANSPARENT)) {
-                    if (any_lane(transmits)) {
-                        real3 refracted_direction;
-                        mask passes = refract_direction(incoming, s.normal, lobes.eta, refracted_direction);
-                        // Straight on where eta is 1, to the last bit, and where rounding says "total" but Fresnel did
-                        // not.
-                        mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
-                        refracted_direction = select(bends, normalize(refracted_direction), incoming);
-                        real3 behind = s.position - s.geometric_normal * s.error;
-                        if (any_lane(both)) {
-                            PathState branch;
-                            branch.ray.origin = behind;
-                            branch.ray.direction = refracted_direction;
-                            branch.ray.t_min = real(0.0f);
-                            branch.ray.t_max = real(3.0e38f);
-                            branch.weight = transmitted;
-                            branch.depth = path.depth;
-                            branch.alive = both;
-                            waiting[waiting_count] = branch;
-                            waiting_count = waiting_count + 1u;
-                        }
-                        next.origin = select(reflects, next.origin, behind);
-                        next.direction = select(reflects, next.direction, refracted_direction);
-                    }
-                }
-                path.weight = select(reflects, reflected, transmitted);
-                path.ray = next;
                 follow = mask_or(reflects, transmits);
+                if (any_lane(follow)) {
+                    path.depth = path.depth + word(1u);
+                    real3 incoming = path.ray.direction;
+                    real3 reflected_direction = mirror_direction(incoming, s.normal);
+                    // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
+                    real into = dot(reflected_direction, s.geometric_normal);
+                    real3 lifted = reflected_direction - s.geometric_normal * (2.0f * into);
+                    reflected_direction = select(into < real(0.0f), lifted, reflected_direction);
+                    Ray next;
+                    next.t_min = real(0.0f);
+                    next.t_max = real(3.0e38f);
+                    next.origin = s.position + s.geometric_normal * s.error;
+                    next.direction = reflected_direction;
+                    if (FEATURE(FEATURE_TRANSPARENT)) {
+                        if (any_lane(transmits)) {
+                            real3 refracted_direction;
+                            mask passes = refract_direction(incoming, s.normal, lobes.eta, refracted_direction);
+                            // Straight on where eta is 1, to the last bit, and where rounding says "total" but Fresnel
+                            // did not.
+                            mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
+                            refracted_direction = select(bends, normalize(refracted_direction), incoming);
+                            real3 behind = s.position - s.geometric_normal * s.error;
+                            if (any_lane(both)) {
+                                PathState branch;
+                                branch.ray.origin = behind;
+                                branch.ray.direction = refracted_direction;
+                                branch.ray.t_min = real(0.0f);
+                                branch.ray.t_max = real(3.0e38f);
+                                branch.weight = transmitted;
+                                branch.depth = path.depth;
+                                branch.alive = both;
+                                waiting[waiting_count] = branch;
+                                waiting_count = waiting_count + 1u;
+                            }
+                            next.origin = select(reflects, next.origin, behind);
+                            next.direction = select(reflects, next.direction, refracted_direction);
+                        }
+                    }
+                    path.weight = select(reflects, reflected, transmitted);
+                    path.ray = next;
+                }
             } else {
                 radiance = radiance + select(found, path.weight * (base + highlight), black);
             }

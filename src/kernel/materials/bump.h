@@ -12,12 +12,12 @@ KERNEL_BEGIN
 FN mask triangle_tangents(SCENE Surface s, OUT(real3) dp_du, OUT(real3) dp_dv) {
     word kind = FIELD(geometries, s.geometry, kind);
     mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
-    word triangle = select(is_triangle, s.primitive, word(0u));
+    word triangle = valid_index(is_triangle, s.primitive);
     word a = FIELD(triangle_uvs, triangle, a);
     mask present = mask_and(is_triangle, a != word(NONE));
-    real2 uv_a = GET(uvs, select(present, a, word(0u)));
-    real2 uv_1 = GET(uvs, select(present, FIELD(triangle_uvs, triangle, b), word(0u))) - uv_a;
-    real2 uv_2 = GET(uvs, select(present, FIELD(triangle_uvs, triangle, c), word(0u))) - uv_a;
+    real2 uv_a = GET(uvs, valid_index(present, a));
+    real2 uv_1 = GET(uvs, valid_index(present, FIELD(triangle_uvs, triangle, b))) - uv_a;
+    real2 uv_2 = GET(uvs, valid_index(present, FIELD(triangle_uvs, triangle, c))) - uv_a;
     real3 p_a = GET(positions, FIELD(triangles, triangle, p0));
     real3 e1 = GET(positions, FIELD(triangles, triangle, p1)) - p_a;
     real3 e2 = GET(positions, FIELD(triangles, triangle, p2)) - p_a;
@@ -29,7 +29,7 @@ FN mask triangle_tangents(SCENE Surface s, OUT(real3) dp_du, OUT(real3) dp_dv) {
     word instance = FIELD(geometries, s.geometry, instance);
     mask moved = instance != word(NONE);
     if (any_lane(moved)) {
-        word i = select(moved, instance, word(0u));
+        word i = valid_index(moved, instance);
         real3 x = FIELD(instances, i, world_from_object_x);
         real3 y = FIELD(instances, i, world_from_object_y);
         real3 z = FIELD(instances, i, world_from_object_z);
@@ -58,7 +58,7 @@ FN real3 bumped_normal(SCENE Surface s) {
     word bump = FIELD(materials, s.material, bump_texture.texture);
     mask bumps = mask_and(usable, bump != word(NONE));
     if (any_lane(bumps)) {
-        word texture = select(bumps, bump, word(0u));
+        word texture = valid_index(bumps, bump);
         word flags = FIELD(materials, s.material, bump_texture.flags);
         real2 scale = FIELD(materials, s.material, bump_texture.scale);
         real2 uv = s.uv * scale + FIELD(materials, s.material, bump_texture.offset);
@@ -79,7 +79,7 @@ FN real3 bumped_normal(SCENE Surface s) {
     word map = FIELD(materials, s.material, normal_texture.texture);
     mask mapped = mask_and(usable, map != word(NONE));
     if (any_lane(mapped)) {
-        word texture = select(mapped, map, word(0u));
+        word texture = valid_index(mapped, map);
         word flags = FIELD(materials, s.material, normal_texture.flags);
         real2 scale = FIELD(materials, s.material, normal_texture.scale);
         real2 uv = s.uv * scale + FIELD(materials, s.material, normal_texture.offset);

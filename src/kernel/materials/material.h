@@ -37,7 +37,7 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     mask used = texture != word(NONE);
     if (any_lane(used)) {
         real3 color =
-            texture_lookup(SCENE_ select(used, texture, word(0u)), FIELD(materials, s.material, diffuse_texture.flags),
+            texture_lookup(SCENE_ valid_index(used, texture), FIELD(materials, s.material, diffuse_texture.flags),
                            s.uv * FIELD(materials, s.material, diffuse_texture.scale) +
                                FIELD(materials, s.material, diffuse_texture.offset),
                            alpha);
@@ -49,7 +49,7 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     used = texture != word(NONE);
     if (any_lane(used)) {
         real3 color =
-            texture_lookup(SCENE_ select(used, texture, word(0u)), FIELD(materials, s.material, specular_texture.flags),
+            texture_lookup(SCENE_ valid_index(used, texture), FIELD(materials, s.material, specular_texture.flags),
                            s.uv * FIELD(materials, s.material, specular_texture.scale) +
                                FIELD(materials, s.material, specular_texture.offset),
                            alpha);
@@ -61,7 +61,7 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     used = texture != word(NONE);
     if (any_lane(used)) {
         real3 color =
-            texture_lookup(SCENE_ select(used, texture, word(0u)), FIELD(materials, s.material, emission_texture.flags),
+            texture_lookup(SCENE_ valid_index(used, texture), FIELD(materials, s.material, emission_texture.flags),
                            s.uv * FIELD(materials, s.material, emission_texture.scale) +
                                FIELD(materials, s.material, emission_texture.offset),
                            alpha);
@@ -71,7 +71,7 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     used = texture != word(NONE);
     if (any_lane(used)) {
         word ref_flags = FIELD(materials, s.material, opacity_texture.flags);
-        real3 color = texture_lookup(SCENE_ select(used, texture, word(0u)), ref_flags,
+        real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags,
                                      s.uv * FIELD(materials, s.material, opacity_texture.scale) +
                                          FIELD(materials, s.material, opacity_texture.offset),
                                      alpha);

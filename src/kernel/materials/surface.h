@@ -39,34 +39,34 @@ FN real3 point_to_object(SCENE word instance, real3 p) {
 FN real2 triangle_uv(SCENE word primitive, real u, real v) {
     word a = FIELD(triangle_uvs, primitive, a);
     mask present = a != word(NONE);
-    word ia = select(present, a, word(0u));
-    word ib = select(present, FIELD(triangle_uvs, primitive, b), word(0u));
-    word ic = select(present, FIELD(triangle_uvs, primitive, c), word(0u));
+    word ia = valid_index(present, a);
+    word ib = valid_index(present, FIELD(triangle_uvs, primitive, b));
+    word ic = valid_index(present, FIELD(triangle_uvs, primitive, c));
     real2 uv = interpolate(GET(uvs, ia), GET(uvs, ib), GET(uvs, ic), u, v);
     return select(present, uv, real2(real(0.0f), real(0.0f)));
 }
 
 /// The material of a hit in the lanes of `found`, some valid one in others.
 FN word hit_material(SCENE Hit hit, mask found) {
-    word geometry = select(found, hit.geometry, word(0u));
-    word primitive = select(found, hit.primitive, word(0u));
+    word geometry = valid_index(found, hit.geometry);
+    word primitive = valid_index(found, hit.primitive);
     if (!FEATURE(FEATURE_ANALYTIC)) return FIELD(triangles, primitive, material);
     word kind = FIELD(geometries, geometry, kind);
     mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
     mask is_sphere = kind == word(GEOMETRY_SPHERE);
     mask is_box = kind == word(GEOMETRY_BOX);
     mask is_plane = kind == word(GEOMETRY_PLANE);
-    word material = FIELD(triangles, select(is_triangle, primitive, word(0u)), material);
+    word material = FIELD(triangles, valid_index(is_triangle, primitive), material);
     if (any_lane(is_sphere)) {
-        word sphere = select(is_sphere, primitive, word(0u));
+        word sphere = valid_index(is_sphere, primitive);
         material = select(is_sphere, FIELD(spheres, sphere, material), material);
     }
     if (any_lane(is_box)) {
-        word box = select(is_box, primitive, word(0u));
+        word box = valid_index(is_box, primitive);
         material = select(is_box, FIELD(boxes, box, material), material);
     }
     if (any_lane(is_plane)) {
-        word plane = select(is_plane, primitive, word(0u));
+        word plane = valid_index(is_plane, primitive);
         material = select(is_plane, FIELD(planes, plane, material), material);
     }
     return material;
@@ -75,8 +75,8 @@ FN word hit_material(SCENE Hit hit, mask found) {
 /// Everything about a hit, in the lanes of `found`; others hold some valid surface.
 FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
     Surface s;
-    s.geometry = select(found, hit.geometry, word(0u));
-    s.primitive = select(found, hit.primitive, word(0u));
+    s.geometry = valid_index(found, hit.geometry);
+    s.primitive = valid_index(found, hit.primitive);
     real t = select(found, hit.t, real(0.0f));
     s.position = point_at(ray, t);
     s.error = hit_error(ray.origin, s.position, t);
@@ -92,20 +92,21 @@ FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
         instance = FIELD(geometries, s.geometry, instance);
     }
     mask moved = instance != word(NONE);
-    word placed = select(moved, instance, word(0u));
+    word placed = valid_index(moved, instance);
     if (FEATURE(FEATURE_INSTANCES))
         object_point = select(moved, point_to_object(SCENE_ placed, s.position), s.position);
 
     mask is_triangle = kind == word(GEOMETRY_TRIANGLES);
-    word triangle = select(is_triangle, s.primitive, word(0u));
+    word triangle = valid_index(is_triangle, s.primitive);
     s.material = hit_material(SCENE_ hit, found);
+    mask smoothed = mask_and(found, mask_not(found));
     if (FEATURE(FEATURE_SMOOTH)) {
         word a = FIELD(triangle_normals, triangle, a);
-        mask smoothed = mask_and(mask_and(is_triangle, found), a != word(NONE));
+        smoothed = mask_and(mask_and(is_triangle, found), a != word(NONE));
         if (any_lane(smoothed)) {
-            word ia = select(smoothed, a, word(0u));
-            word ib = select(smoothed, FIELD(triangle_normals, triangle, b), word(0u));
-            word ic = select(smoothed, FIELD(triangle_normals, triangle, c), word(0u));
+            word ia = valid_index(smoothed, a);
+            word ib = valid_index(smoothed, FIELD(triangle_normals, triangle, b));
+            word ic = valid_index(smoothed, FIELD(triangle_normals, triangle, c));
             real3 n = interpolate(GET(normals, ia), GET(normals, ib), GET(normals, ic), hit.u, hit.v);
             // Opposed vertex normals can cancel: the face's own normal stands in.
             shading = select(mask_and(smoothed, dot(n, n) > real(1e-20f)), n, shading);
@@ -120,7 +121,7 @@ FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
             if (any_lane(is_sphere)) s.uv = select(is_sphere, sphere_uv(unit_outward), s.uv);
             mask is_box = kind == word(GEOMETRY_BOX);
             if (any_lane(is_box)) {
-                word box = select(is_box, s.primitive, word(0u));
+                word box = valid_index(is_box, s.primitive);
                 real2 uv = box_uv(object_point, unit_outward, FIELD(boxes, box, lower), FIELD(boxes, box, upper));
                 s.uv = select(is_box, uv, s.uv);
             }
@@ -137,10 +138,13 @@ FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
     s.from_behind = dot(unit_geometric, ray.direction) > real(0.0f);
     real side = select(s.from_behind, real(-1.0f), real(1.0f));
     s.geometric_normal = unit_geometric * side;
-    // Vertex normals may have been written for either side; the face's orientation is what the ray goes by.
-    real3 unit_smooth = normalize(shading);
-    real agree = select(dot(unit_smooth, s.geometric_normal) < real(0.0f), real(-1.0f), real(1.0f));
-    s.normal = unit_smooth * agree;
+    s.normal = s.geometric_normal;
+    if (any_lane(smoothed)) {
+        // Vertex normals may have been written for either side; the face's orientation is what the ray goes by.
+        real3 unit_shading = normalize(shading);
+        real agree = select(dot(unit_shading, s.geometric_normal) < real(0.0f), real(-1.0f), real(1.0f));
+        s.normal = select(smoothed, unit_shading * agree, s.normal);
+    }
     return s;
 }
 
