@@ -102,6 +102,7 @@ void occluded(const Mask& mask, RTCScene scene, Rays& packet) {
 }
 
 void start_rays(Rays& ray) {
+#pragma omp simd
     for (int i = 0; i < kLanes; ++i) {
         ray.tnear[i] = 0;
         ray.time[i] = 0;
@@ -124,6 +125,7 @@ struct Surfaces {
 
 void locate(const RayHits& packet, const Mask& mask, Surfaces& s) {
     const Rays& ray = packet.ray;
+#pragma omp simd
     for (int i = 0; i < kLanes; ++i) {
         s.found.v[i] = packet.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID ? mask.v[i] : 0;
         const float t = s.found.v[i] != 0 ? ray.tfar[i] : 1.0F;
@@ -149,6 +151,7 @@ void shadow_rays(const RawView& view, const Surfaces& s, RawCounts& counts) {
         alignas(64) Rays shadow;
         Mask lit;
         start_rays(shadow);
+#pragma omp simd
         for (int i = 0; i < kLanes; ++i) {
             const float x = sun ? light.place.x : light.place.x - s.px.v[i];
             const float y = sun ? light.place.y : light.place.y - s.py.v[i];
@@ -192,6 +195,7 @@ void smooth_normal(const RawView& view, const RawGeometry& geometry, const RayHi
 
 /// Which lanes go on, and how, by their materials.
 void branch(const RawView& view, const RayHits& packet, Surfaces& s) {
+#pragma omp simd
     for (int i = 0; i < kLanes; ++i) {
         s.mirrors.v[i] = s.transmits.v[i] = 0;
         s.eta.v[i] = 1;
@@ -214,6 +218,7 @@ void branch(const RawView& view, const RayHits& packet, Surfaces& s) {
 }
 
 void reflect(const Surfaces& s, Rays& next) {
+#pragma omp simd
     for (int i = 0; i < kLanes; ++i) {
         const float twice = 2 * (s.nx.v[i] * s.dx.v[i] + s.ny.v[i] * s.dy.v[i] + s.nz.v[i] * s.dz.v[i]);
         next.org_x[i] = s.px.v[i] + s.nx.v[i] * s.error.v[i];
@@ -227,6 +232,7 @@ void reflect(const Surfaces& s, Rays& next) {
 }
 
 void refract(const Surfaces& s, Rays& next) {
+#pragma omp simd
     for (int i = 0; i < kLanes; ++i) {
         const float cosine = -(s.nx.v[i] * s.dx.v[i] + s.ny.v[i] * s.dy.v[i] + s.nz.v[i] * s.dz.v[i]);
         const float eta = s.eta.v[i];
@@ -244,6 +250,7 @@ void refract(const Surfaces& s, Rays& next) {
 
 void clear_hits(RayHits& packet) {
     start_rays(packet.ray);
+#pragma omp simd
     for (int i = 0; i < kLanes; ++i) {
         packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
         packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -285,6 +292,7 @@ void trace_tile<RAW_LANES>(const RawView& view, int x0, int y0, int x1, int y1, 
             alignas(64) RayHits packet;
             Mask mask;
             clear_hits(packet);
+#pragma omp simd
             for (int i = 0; i < kLanes; ++i) {
                 const int px = x + i % kBlockWidth, py = y + i / kBlockWidth;
                 const float right = (static_cast<float>(px) + 0.5F) * to_x - 1;
