@@ -7,6 +7,7 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/diagnostics.h"

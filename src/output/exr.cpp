@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfTileDescription.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <list>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Radiance pictures: a text header, then lines of 8-bit mantissas with a shared exponent (Ward, "Real Pixels",
 // Graphics Gems II, 1991), run-length coded channel by channel (Radiance file formats, "Picture File Format").
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -2,6 +2,7 @@
 // Random rays through the hierarchy, by the same node step as the GPU's, against brute force.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "import/orbit/orbit_values.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
