@@ -24,7 +24,9 @@ namespace sundog::viewer {
 namespace {
 
 // The platform part took the renderer as a second argument from 1.87 on; the overload that fits is chosen.
-bool init_platform(bool (*init)(SDL_Window*), SDL_Window* window, SDL_Renderer*) { return init(window); }
+[[maybe_unused]] bool init_platform(bool (*init)(SDL_Window*), SDL_Window* window, SDL_Renderer*) {
+    return init(window);
+}
 [[maybe_unused]] bool init_platform(bool (*init)(SDL_Window*, SDL_Renderer*), SDL_Window* window,
                                     SDL_Renderer* renderer) {
     return init(window, renderer);
