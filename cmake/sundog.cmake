@@ -27,14 +27,19 @@ function(sundog_library name)
   target_link_libraries(sundog_${name} PUBLIC sundog_options ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS})
 endfunction()
 
-# sundog_test(name SOURCES a_test.cpp … DEPS targets …): a GoogleTest program whose cases CTest runs one by one.
+# sundog_test(name [FOREIGN_LEAKS] SOURCES a_test.cpp … DEPS targets …): a GoogleTest program whose cases CTest runs one by
+# one. FOREIGN_LEAKS: drivers or system libraries that it loads leak (Mesa's, D-Bus), so sanitized runs don't ask for leaks.
 function(sundog_test name)
   if(NOT SUNDOG_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "FOREIGN_LEAKS" "" "SOURCES;DEPS" ${ARGN})
+  set(environment)
+  if(ARG_FOREIGN_LEAKS)
+    set(environment ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE sundog_options ${ARG_DEPS} GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE SUNDOG_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 ${environment})
 endfunction()
