@@ -85,6 +85,7 @@ public:
                                static_cast<std::uint32_t>(out_.geometries.size())});
         return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE};
     }
+    kernel::Geometry operator()(const std::shared_ptr<const scene::Solid>&) { return none("a solid"); }
 
 private:
     template <class T>

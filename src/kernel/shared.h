@@ -19,6 +19,9 @@ KERNEL_CONST uint GEOMETRY_TRIANGLES = 0u;
 KERNEL_CONST uint GEOMETRY_SPHERE = 1u;
 KERNEL_CONST uint GEOMETRY_BOX = 2u;
 KERNEL_CONST uint GEOMETRY_PLANE = 3u;
+/// Exact shapes and CSG: the device finds them with code of its own; a hit's primitive is its material, u and v are its
+/// texture coordinates, its normal is in world space.
+KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;

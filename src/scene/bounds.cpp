@@ -17,6 +17,7 @@ struct BoundsOf {
     }
     Bounds3 operator()(const Box& box) const { return {box.lower, box.upper}; }
     Bounds3 operator()(const Plane&) const { return {}; }
+    Bounds3 operator()(const std::shared_ptr<const Solid>&) const { return {}; }
 };
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include "base/diagnostics.h"
 #include "base/vec.h"
+#include "scene/pigment.h"
+#include "scene/solid.h"
 
 namespace sundog::scene {
 
@@ -36,15 +38,52 @@ struct OrbitCamera {
     Vec3 origin;
 };
 
-/// A light without size. A moving one stands at place + (cos(t*sx)*ax, sin(t*sy)*ay, cos(t*sz)*az).
-struct Light {
-    enum class Kind { lamp, sun } kind = Kind::lamp;
+/// A camera placed by vectors, as POV-Ray describes it (reference, section 3.4.1 "Camera"). look_at, angle and sky are
+/// already worked into the vectors. A left- or right-handed system is told by `right`.
+struct ProjectionCamera {
+    enum class Kind : std::uint8_t {
+        perspective,
+        orthographic,
+        fisheye,
+        ultra_wide_angle,
+        omnimax,
+        panoramic,
+        cylinder,
+        spherical,
+    };
+    Kind kind = Kind::perspective;
     SourceLocation where;
-    Vec3 place;            ///< lamp: position. sun: the direction in which its light comes from (towards the sun).
-    Vec3 color{1, 1, 1};   ///< Linear RGB radiant intensity (no distance falloff, as in Whitted's and Phong's model).
+    Vec3d location, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0};
+    double angle_deg = 0;           ///< Fisheye, ultra_wide_angle, panoramic, cylinder, spherical: horizontally.
+    double vertical_angle_deg = 0;  ///< spherical
+    int cylinder_type = 1;          ///< 1 to 4
+};
+
+/// A rectangle (or, `circular`, a disc) of lights around a light's place.
+struct LightArea {
+    Vec3 axis1, axis2;
+    int size1 = 1, size2 = 1;
+    int adaptive = -1;  ///< Depth of adaptive sampling; under 0: all of them.
+    bool jitter = false, circular = false, orient = false;
+};
+
+/// A light without size, unless it has an `area`. A moving one stands at place + (cos(t*sx)*ax, sin(t*sy)*ay,
+/// cos(t*sz)*az).
+struct Light {
+    enum class Kind { lamp, sun, spotlight, cylinder } kind = Kind::lamp;
+    SourceLocation where;
+    Vec3 place;           ///< Position. sun: the direction in which its light comes from (towards the sun).
+    Vec3 color{1, 1, 1};  ///< Linear RGB radiant intensity (no distance falloff, as in Whitted's and Phong's model).
     bool moving = false;
     Vec3 speed, amplitude;  ///< Used when moving; speed in radians per second.
     bool shadows = true;
+    bool highlights = true;  ///< A shadowless or fill light of POV-Ray's has none.
+    Vec3 point_at;           ///< spotlight, cylinder
+    float radius = 30,
+          falloff = 45;   ///< spotlight: half angles of the bright and the outer cone, degrees; cylinder: lengths.
+    float tightness = 0;  ///< Exponent of the cosine towards the rim.
+    float fade_distance = 0, fade_power = 0;
+    std::optional<LightArea> area;
 };
 
 /// Texture pixels, row 0 at the top. 8-bit RGBA; `srgb` says whether RGB is sRGB-encoded (else linear data).
@@ -61,8 +100,8 @@ struct TextureUse {
     Index texture = kNone;
     Vec2 scale{1, 1};
     Vec2 offset{0, 0};
-    bool clamp = false;   ///< Outside 0..1: clamp instead of repeat.
-    float strength = 1;   ///< Bump multiplier.
+    bool clamp = false;        ///< Outside 0..1: clamp instead of repeat.
+    float strength = 1;        ///< Bump multiplier.
     std::uint8_t channel = 0;  ///< For scalar maps: 0 r, 1 g, 2 b, 3 alpha (matte), 4 luminance.
 };
 
@@ -76,19 +115,21 @@ struct Checker {
 struct Material {
     std::string name;
     SourceLocation where;
-    std::optional<Vec3> ambient;         ///< Ka; where absent, diffuse stands in.
-    Vec3 diffuse{0.8F, 0.8F, 0.8F};      ///< Kd
-    Vec3 specular{0, 0, 0};              ///< Ks
-    Vec3 emission{0, 0, 0};              ///< Ke
-    Vec3 transmission_filter{1, 1, 1};   ///< Tf
-    float shininess = 0;                 ///< Ns
-    float ior = 1;                       ///< Ni
-    float opacity = 1;                   ///< d (Tr = 1 - d)
+    std::optional<Vec3> ambient;        ///< Ka; where absent, diffuse stands in.
+    Vec3 diffuse{0.8F, 0.8F, 0.8F};     ///< Kd
+    Vec3 specular{0, 0, 0};             ///< Ks
+    Vec3 emission{0, 0, 0};             ///< Ke
+    Vec3 transmission_filter{1, 1, 1};  ///< Tf
+    float shininess = 0;                ///< Ns
+    float ior = 1;                      ///< Ni
+    float opacity = 1;                  ///< d (Tr = 1 - d)
     int illum = 2;
     std::optional<float> roughness, metallic, clearcoat;  ///< Pr Pm Pc
-    bool phong_highlight = false;        ///< Own MTL key `highlight phong`: Phong's mirrored ray, not Blinn's halfway vector.
-    std::optional<Checker> checker;      ///< Own MTL key `checker_Kd u v r g b`.
+    bool phong_highlight = false;  ///< Own MTL key `highlight phong`: Phong's mirrored ray, not Blinn's halfway vector.
+    std::optional<Checker> checker;  ///< Own MTL key `checker_Kd u v r g b`.
     TextureUse map_diffuse, map_specular, map_bump, map_normal, map_opacity, map_emission;
+    /// A procedural surface, in which case nothing above but the name counts.
+    std::optional<PatternedSurface> patterned;
 };
 
 /// Triangles with indices into shared vertex arrays. Every index is in range; every number finite.
@@ -130,9 +171,12 @@ struct ObjectMotion {
 struct Object {
     std::string name;
     SourceLocation where;
-    std::variant<Mesh, Sphere, Plane, Box> shape;
-    Index material = 0;  ///< For analytic shapes; a mesh's triangles name theirs.
+    std::variant<Mesh, Sphere, Plane, Box, std::shared_ptr<const Solid>> shape;
+    Index material = 0;  ///< For analytic shapes and solids that inherit; a mesh's triangles name theirs.
     std::optional<ObjectMotion> motion;
+    bool casts_shadow = true;         ///< no_shadow
+    bool seen_by_camera = true;       ///< no_image
+    bool seen_in_reflections = true;  ///< no_reflection
 };
 
 /// Settings that a scene file may fix and the command line may overrule.
@@ -147,17 +191,37 @@ struct Settings {
     bool cull_backfaces = false;
 };
 
+/// Fog of constant density (distance: where it lets 1/e through), or thinning out upwards from `offset` over
+/// `altitude`.
+struct Fog {
+    bool ground = false;
+    float distance = 0;
+    PigmentColor color;
+    float altitude = 0, offset = 0;
+    Vec3 up{0, 1, 0};
+};
+
+/// A pigment on the infinitely far sphere, looked up by direction. Later ones lie over earlier ones.
+struct SkySphere {
+    std::vector<std::shared_ptr<const Pigment>> pigments;
+    Affine3d sky_from_world;
+    PigmentColor emission{1, 1, 1, 0, 0};
+};
+
 /// A whole scene. Value type; importers make it, compile/ reads it.
 struct Scene {
     std::string name;
     std::vector<std::string> files;  ///< Every file that was read, for hot reload.
     OrbitCamera camera;
+    std::optional<ProjectionCamera> projection_camera;  ///< Instead of `camera`.
     std::vector<Light> lights;
     std::vector<Texture> textures;
     std::vector<Material> materials;  ///< Never empty once imported.
     std::vector<Object> objects;
-    Vec3 ambient{0.1F, 0.1F, 0.1F};   ///< Linear RGB, multiplies Ka.
-    Vec3 sky{0, 0, 0};                ///< Linear RGB radiance of rays that hit nothing.
+    Vec3 ambient{0.1F, 0.1F, 0.1F};  ///< Linear RGB, multiplies Ka.
+    Vec3 sky{0, 0, 0};               ///< Linear RGB radiance of rays that hit nothing.
+    std::vector<Fog> fogs;
+    std::vector<SkySphere> sky_spheres;
     Settings settings;
 };
 

@@ -64,6 +64,10 @@ struct ShapeCheck {
                 object.where, thing, "is no box: its upper corner must lie above the lower one");
         check_material();
     }
+    void operator()(const std::shared_ptr<const Solid>& solid) const {
+        require(solid != nullptr, object.where, thing, "has no shape");
+        check_material();
+    }
     void check_material() const {
         require(object.material < scene.materials.size(), object.where, thing, "lacks a material");
     }

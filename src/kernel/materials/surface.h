@@ -69,6 +69,7 @@ FN word hit_material(SCENE Hit hit, mask found) {
         word plane = valid_index(is_plane, primitive);
         material = select(is_plane, FIELD(planes, plane, material), material);
     }
+    material = select(kind == word(GEOMETRY_SOLID), primitive, material);
     return material;
 }
 
@@ -125,6 +126,7 @@ FN Surface surface_at(SCENE Ray ray, Hit hit, mask found) {
                 real2 uv = box_uv(object_point, unit_outward, FIELD(boxes, box, lower), FIELD(boxes, box, upper));
                 s.uv = select(is_box, uv, s.uv);
             }
+            s.uv = select(kind == word(GEOMETRY_SOLID), real2(hit.u, hit.v), s.uv);
             mask is_plane = kind == word(GEOMETRY_PLANE);
             if (any_lane(is_plane)) s.uv = select(is_plane, plane_uv(object_point, unit_outward), s.uv);
         }

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Procedural surfaces as POV-Ray describes them (its reference, section 3.5 "Texture"): patterns, pigments, finishes,
+// layers. Plain description; compile/ turns pigments into the kernel's bytecode.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/vec3d.h"
+
+namespace sundog::scene {
+
+/// Linear RGB with what passes through: `filter` tinted by the colour, `transmit` untinted.
+struct PigmentColor {
+    float r = 0, g = 0, b = 0, filter = 0, transmit = 0;
+};
+
+/// A scalar field over space, 0..1 after its wave form, or a choice among a few (checker, brick, hexagon, …).
+struct Pattern {
+    enum class Kind : std::uint8_t {
+        // Choices among a list of entries
+        checker,     ///< 2
+        brick,       ///< 2: mortar, brick
+        hexagon,     ///< 3
+        square,      ///< 4
+        triangular,  ///< 6
+        cubic,       ///< 6
+        object,      ///< 2: outside, inside of a solid
+        // Fields
+        gradient,  ///< Along `axis`.
+        // Fields that need what the second POV issue brings are kept by number too
+        agate,
+        aoi,
+        average,
+        boxed,
+        bozo,
+        bumps,
+        cells,
+        crackle,
+        cylindrical,
+        density_file,
+        dents,
+        facets,
+        fractal,
+        function,
+        granite,
+        image,
+        leopard,
+        marble,
+        onion,
+        pavement,
+        pigment,
+        planar,
+        quilted,
+        radial,
+        ripples,
+        slope,
+        spherical,
+        spiral1,
+        spiral2,
+        spotted,
+        tiling,
+        waves,
+        wood,
+        wrinkles,
+    };
+    enum class Wave : std::uint8_t { standard, ramp, triangle, sine, scallop, cubic, poly };
+
+    Kind kind = Kind::gradient;
+    Vec3d axis{1, 0, 0};  ///< gradient
+    Vec3d brick_size{8, 3, 4.5};
+    double mortar = 0.5;
+    int arms = 1;                ///< spiral1, spiral2
+    Wave wave = Wave::standard;  ///< `standard` is the pattern's own default.
+    double exponent = 1;         ///< poly_wave
+    double frequency = 1, phase = 0;
+    Affine3d pattern_from_texture;  ///< Inverse of all transforms between this pattern and the texture it is part of.
+    Vec3d turbulence;               ///< 0: none.
+    int octaves = 6;
+    double lambda = 2, omega = 0.5;
+    std::vector<std::uint32_t> images;  ///< image: index into Scene::textures.
+};
+
+struct Pigment;
+
+/// A picture laid over a plane, sphere, … (image_map).
+struct ImageMap {
+    std::uint32_t texture = 0;  ///< Into Scene::textures.
+    int map_type = 0;           ///< 0 planar (x, y in 0..1), 1 spherical, 2 cylindrical, 5 toroidal.
+    bool once = false;          ///< Clear outside the unit square.
+    bool smooth = false;        ///< Bilinear; else the texel that the point lies in.
+    float filter_all = 0, transmit_all = 0;
+    Affine3d pattern_from_texture;
+};
+
+/// Where a pigment stands in a map, or what the n-th choice of a list pattern is.
+struct PigmentEntry {
+    float at = 0;
+    PigmentColor color;                      ///< Unless `pigment` is set.
+    std::shared_ptr<const Pigment> pigment;  ///< pigment_map
+};
+
+/// A colour at every point of an object.
+struct Pigment {
+    enum class Kind : std::uint8_t { solid, mapped, choice, image };
+    SourceLocation where;
+    Kind kind = Kind::solid;
+    PigmentColor color;                 ///< solid
+    Pattern pattern;                    ///< mapped (a field through `entries`), choice (picks one of `entries`)
+    std::vector<PigmentEntry> entries;  ///< Ascending `at` when mapped.
+    ImageMap image;
+    bool uv_mapping = false;
+    PigmentColor quick_color;  ///< At quality 5 and lower.
+};
+
+/// How a surface answers to light (section 3.5.4 "Finish"). Colours linear.
+struct Finish {
+    Vec3 ambient{0.1F, 0.1F, 0.1F};
+    Vec3 emission{0, 0, 0};
+    float diffuse = 0.6F, diffuse_back = 0;
+    float brilliance = 1;
+    float phong = 0, phong_size = 40;
+    float specular = 0, roughness = 0.05F;
+    float metallic = 0;  ///< Tints highlights with the pigment.
+    Vec3 reflection_min{0, 0, 0}, reflection_max{0, 0, 0};
+    float reflection_falloff = 1;   ///< Exponent of the angle's share between min and max.
+    float reflection_exponent = 1;  ///< Of the reflected colour.
+    float reflection_metallic = 0;
+    bool reflection_fresnel = false;
+    bool conserve_energy = false;
+};
+
+/// One layer of a texture.
+struct TextureLayer {
+    std::shared_ptr<const Pigment> pigment;
+    Finish finish;
+};
+
+/// What is inside a solid (section 3.5.7 "Interior").
+struct Interior {
+    float ior = 1;
+    float dispersion = 1;
+    float caustics = 0;
+    float fade_distance = 0, fade_power = 0;
+    Vec3 fade_color{0, 0, 0};
+};
+
+/// A texture of one or more layers, the first below all others.
+struct LayeredTexture {
+    std::vector<TextureLayer> layers;
+};
+
+/// A texture on an object. Objects that carry the same texture share it and differ in where it lies.
+struct PatternedSurface {
+    std::shared_ptr<const LayeredTexture> texture;
+    Affine3d texture_from_world;  ///< What the object's transforms did to the texture, inverted.
+    Interior interior;
+};
+
+}  // namespace sundog::scene
