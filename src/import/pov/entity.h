@@ -35,7 +35,9 @@ struct FunctionExpression;  // functions.h: a user function, not evaluated
 /// A row in square brackets of a map: `[0.3 color rgb 1]`.
 struct Row;
 
-/// One thing inside a block, in the order of the file. Commas and semicolons are gone.
+/// One thing inside a block, in the order of the file. Commas and semicolons are gone. What POV-Ray writes in angle
+/// brackets with more than five components (matrix, the coefficients of poly, cubic and quartic) stands as that many
+/// floats, one item each.
 struct Item {
     Place where;
     std::variant<Value,                         // 1  <1, 2, 3>  rgb <1, 0, 0>
@@ -52,8 +54,12 @@ struct Item {
 /// follows. A declared identifier of several blocks (layered textures) gives as many items.
 struct Block {
     Keyword keyword{};
+    std::uint16_t version = 370;  ///< 100 times the #version in force where the block begins.
     Place where;
     std::vector<Item> items;
+    /// What #default had set where the block begins: a block `default_` with the items of all #default directives so
+    /// far, in their order. Null before the first.
+    std::shared_ptr<const Block> defaults;
 };
 
 struct Row {
