@@ -35,9 +35,21 @@ struct FunctionExpression;  // functions.h: a user function, not evaluated
 /// A row in square brackets of a map: `[0.3 color rgb 1]`.
 struct Row;
 
-/// One thing inside a block, in the order of the file. Commas and semicolons are gone. What POV-Ray writes in angle
-/// brackets with more than five components (matrix, the coefficients of poly, cubic and quartic) stands as that many
-/// floats, one item each.
+/// A run of plain values (no colours), packed: the lists of a mesh2 hold millions.
+struct ValueList {
+    std::vector<double> numbers;       ///< The components of all values, one after the other.
+    std::vector<std::uint8_t> counts;  ///< How many of them each value has, 1 to 5; as many as there are values.
+};
+
+/// One thing inside a block, in the order of the file. Commas and semicolons are gone.
+///
+/// - Vectors of more than 5 components (matrix, poly, cubic, quartic) come as one Value a component.
+/// - In vertex_vectors, normal_vectors, uv_vectors, face_indices, normal_indices and uv_indices, plain values come
+///   only as ValueLists (as few as possible), never as Value.
+/// - Function names without parentheses (`sqr`, `exp` in a julia_fractal), `srgb` after `gamma`, `filter` and
+///   `transmit` in image_map, bump_map and their kin come as Keyword; elsewhere the colour words make a colour Value.
+/// - `on`, `yes`, `true` are the Value 1, `off`, `no`, `false` are 0.
+/// - `function W, H { … }` (an image made by a function) comes as Keyword::function, two Values, the function.
 struct Item {
     Place where;
     std::variant<Value,                         // 1  <1, 2, 3>  rgb <1, 0, 0>
@@ -45,7 +57,7 @@ struct Item {
                  std::string,                   // "file.png"
                  std::shared_ptr<const Block>,  // pigment { … }, or what an identifier stood for
                  std::shared_ptr<const Row>,    // [ … ]
-                 std::shared_ptr<const FunctionExpression>>
+                 std::shared_ptr<const FunctionExpression>, std::shared_ptr<const ValueList>>
         content;
 };
 
@@ -56,6 +68,7 @@ struct Block {
     Keyword keyword{};
     std::uint16_t version = 370;  ///< 100 times the #version in force where the block begins.
     Place where;
+    std::uint32_t depth = 1;  ///< 1 + the deepest block within; the interpreter's limit makes recursion over it safe.
     std::vector<Item> items;
     /// What #default had set where the block begins: a block `default_` with the items of all #default directives so
     /// far, in their order. Null before the first.
