@@ -13,7 +13,7 @@ _sundog() {
   case $before in
     --device) mapfile -t COMPREPLY < <(compgen -W "auto cpu gpu" -- "$word"); return ;;
     --shadows) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$word"); return ;;
-    --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm" -- "$word"); return ;;
+    --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm tga bmp" -- "$word"); return ;;
     --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
@@ -28,7 +28,7 @@ _sundog() {
       files='@(scene|obj|conf)' ;;
     view) options+=" --size --device --threads --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
-    compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm)' ;;
+    compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
     bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load" ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word"); return ;;
   esac

@@ -64,7 +64,7 @@ void add_compare(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("compare", "Tell how far two pictures are apart");
     command->footer(kExamples);
     const auto arguments = std::make_shared<CompareArguments>();
-    command->add_option("a", arguments->a, "A picture (.png .jpg .exr .hdr .ppm)");
+    command->add_option("a", arguments->a, "A picture (.png .jpg .exr .hdr .ppm .tga .bmp)");
     command->add_option("b", arguments->b, "Another of the same size");
     command->add_option("-o,--output", arguments->output, "Write the difference image here");
     command

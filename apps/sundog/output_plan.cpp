@@ -43,11 +43,13 @@ output::Format format_by_name(const std::string& name) {
         std::string_view name;
         output::Format format;
     };
-    constexpr std::array<Named, 5> kFormats{{{"png", output::Format::png},
+    constexpr std::array<Named, 7> kFormats{{{"png", output::Format::png},
                                              {"jpg", output::Format::jpg},
                                              {"exr", output::Format::exr},
                                              {"hdr", output::Format::hdr},
-                                             {"ppm", output::Format::ppm}}};
+                                             {"ppm", output::Format::ppm},
+                                             {"tga", output::Format::tga},
+                                             {"bmp", output::Format::bmp}}};
     std::vector<std::string_view> names;
     for (const Named& f : kFormats) names.push_back(f.name);
     const std::string chosen = parse_choice("--format", name, names);

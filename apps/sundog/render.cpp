@@ -77,9 +77,11 @@ void add_render(CLI::App& program, Action& action) {
     using Text = const std::string&;
 
     command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
-    command->add_option("-o,--output", a.output,
-                        "Picture (.png .jpg .exr .hdr .ppm), video (.mp4 .webm .gif), or - for standard output");
-    command->add_option("--format", a.format, "Format of standard output: png (default), jpg, exr, hdr or ppm");
+    command->add_option(
+        "-o,--output", a.output,
+        "Picture (.png .jpg .exr .hdr .ppm .tga .bmp), video (.mp4 .webm .gif), or - for standard output");
+    command->add_option("--format", a.format,
+                        "Format of standard output: png (default), jpg, exr, hdr, ppm, tga or bmp");
     command
         ->add_option_function<std::string>(
             "--size",

@@ -53,16 +53,18 @@ void grow(std::vector<T>& values, std::size_t size, std::size_t total) {
 Decoded decode(Bytes bytes, std::size_t bytes_per_pixel);
 
 // Each format's pair. Encoders get a picture that has pixels, and throw OutputError; decoders throw DecodeError.
-std::string encode_png(const Image& image);
+std::string encode_png(const Image& image, const Encoding& encoding);
 Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel);
-std::string encode_jpeg(const Image& image);
+std::string encode_jpeg(const Image& image, const Encoding& encoding);
 Decoded decode_jpeg(Bytes bytes, std::size_t bytes_per_pixel);
 std::string encode_exr(const Image& image, const std::vector<Layer>& layers);
 Decoded decode_exr(Bytes bytes, std::size_t bytes_per_pixel);
 std::string encode_radiance(const Image& image);
 Decoded decode_radiance(Bytes bytes, std::size_t bytes_per_pixel);
-std::string encode_ppm(const Image& image);
+std::string encode_ppm(const Image& image, const Encoding& encoding);
 Decoded decode_pnm(Bytes bytes, std::size_t bytes_per_pixel);
+std::string encode_tga(const Image& image, const Encoding& encoding);
+std::string encode_bmp(const Image& image, const Encoding& encoding);
 /// BMP, GIF and TGA.
 Decoded decode_small_format(Bytes bytes, std::size_t bytes_per_pixel, std::uint64_t most_pixels_per_byte);
 /// TGA has no magic number; true if the header makes sense.

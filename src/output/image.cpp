@@ -23,12 +23,22 @@ struct Ending {
     std::string_view text;
     Format format;
 };
-constexpr std::array<Ending, 6> kEndings{{{".png", Format::png},
+constexpr std::array<Ending, 8> kEndings{{{".png", Format::png},
                                           {".jpg", Format::jpg},
                                           {".jpeg", Format::jpg},
                                           {".exr", Format::exr},
                                           {".hdr", Format::hdr},
-                                          {".ppm", Format::ppm}}};
+                                          {".ppm", Format::ppm},
+                                          {".tga", Format::tga},
+                                          {".bmp", Format::bmp}}};
+
+/// OpenEXR's alpha: the colours are multiplied by it (OpenEXR, "Technical Introduction", Alpha).
+std::string encode_exr_alpha(const Image& image, std::vector<Layer> layers) {
+    Image associated(image.width, image.height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) associated.pixels[i] = image.pixels[i] * image.alpha[i];
+    layers.push_back({"A", {""}, image.alpha});
+    return encode_exr(associated, layers);
+}
 
 std::string lower_case_ending(const fs::path& file) {
     std::string ending = file.extension().string();
@@ -104,21 +114,27 @@ std::vector<std::uint8_t> to_srgb8(const Image& image) {
     return codes;
 }
 
-std::string encode(const Image& image, Format format, const std::vector<Layer>& layers) {
+std::string encode(const Image& image, Format format, const std::vector<Layer>& layers, const Encoding& encoding) {
     if (image.width <= 0 || image.height <= 0) throw OutputError("can't write a picture without pixels");
     if (image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height))
         throw OutputError("can't write a picture whose number of pixels is not width * height");
+    if (!image.alpha.empty() && image.alpha.size() != image.pixels.size())
+        throw OutputError("can't write a picture whose number of alpha values is not its number of pixels");
     switch (format) {
         case Format::png:
-            return encode_png(image);
+            return encode_png(image, encoding);
         case Format::jpg:
-            return encode_jpeg(image);
+            return encode_jpeg(image, encoding);
         case Format::exr:
-            return encode_exr(image, layers);
+            return image.alpha.empty() ? encode_exr(image, layers) : encode_exr_alpha(image, layers);
         case Format::hdr:
             return encode_radiance(image);
         case Format::ppm:
-            return encode_ppm(image);
+            return encode_ppm(image, encoding);
+        case Format::tga:
+            return encode_tga(image, encoding);
+        case Format::bmp:
+            return encode_bmp(image, encoding);
     }
     throw OutputError("can't write a picture of an unknown format");
 }

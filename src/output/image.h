@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace sundog::output {
 struct Image {
     int width = 0, height = 0;
     std::vector<Vec3> pixels;
+    std::vector<float> alpha;  ///< Opacity of each pixel, 0 to 1, not multiplied into the colours; empty: opaque.
     Image() = default;
     Image(int width_, int height_)
         : width(width_),
@@ -37,7 +39,16 @@ struct Layer {
     std::vector<float> values;          ///< Interleaved, width*height*channels.size().
 };
 
-enum class Format { png, jpg, exr, hdr, ppm };
+enum class Format { png, jpg, exr, hdr, ppm, tga, bmp };
+
+/// How a file holds colours, where its format leaves a choice.
+struct Encoding {
+    int bits = 8;                 ///< PNG, PPM: of each channel, 1 to 16.
+    std::optional<double> gamma;  ///< Of a power law, which a PNG says in its header; nothing: sRGB. Not EXR and HDR.
+    bool grayscale = false;       ///< Luminance alone; PNG, JPEG, PPM, Targa, BMP.
+    bool run_length = false;      ///< Targa: compressed.
+    int jpeg_quality = 95;        ///< 1 to 100
+};
 
 /// By the file's ending (any case). Errors: OutputError naming the endings there are.
 Format format_of(const std::filesystem::path& file);
@@ -45,10 +56,12 @@ Format format_of(const std::filesystem::path& file);
 /// 8-bit sRGB of linear RGB (IEC 61966-2-1), clamped, rounded, 3 bytes a pixel; NaN becomes black.
 std::vector<std::uint8_t> to_srgb8(const Image& image);
 
-/// The file's bytes. PNG, JPEG (quality 95, no chroma subsampling) and PPM hold 8-bit sRGB, Radiance HDR and EXR
-/// (32-bit float) linear RGB. Layers are only kept by EXR.
+/// The file's bytes. PNG, JPEG (without chroma subsampling), PPM, Targa and BMP hold what `encoding` says, Radiance HDR
+/// and EXR (32-bit float) linear RGB. Alpha is kept by PNG, Targa and BMP, straight, and by EXR, with the colours
+/// multiplied by it; layers by EXR alone.
 /// Errors: OutputError (a picture without pixels, or too large for the format, or a layer of another size).
-std::string encode(const Image& image, Format format, const std::vector<Layer>& layers = {});
+std::string encode(const Image& image, Format format, const std::vector<Layer>& layers = {},
+                   const Encoding& encoding = {});
 
 /// Writes a picture beside its place and renames it, so that the file is whole or untouched. "-" is standard output;
 /// it and special files (devices, pipes) are written to directly, as PNG where their name has no known ending.

@@ -10,11 +10,11 @@
 
 #include "base/diagnostics.h"
 #include "output/codec.h"
+#include "output/encoding.h"
 
 namespace sundog::output {
 namespace {
 
-constexpr int kQuality = 95;
 constexpr int kMostScans = 200;
 // A block of 8x8 pixels takes at least one bit of Huffman code in some component.
 constexpr std::uint64_t kMostPixelsPerByte = 64 * 8;
@@ -68,7 +68,7 @@ struct Encoder {
     Encoder& operator=(const Encoder&) = delete;
 };
 
-bool run_encoder(Encoder& encoder, JDIMENSION width, JDIMENSION height, const std::uint8_t* codes) {
+bool run_encoder(Encoder& encoder, JDIMENSION width, JDIMENSION height, const std::uint8_t* codes, int quality) {
     if (setjmp(encoder.error.escape) != 0) return false;
     jpeg_compress_struct& codec = encoder.codec;
     jpeg_create_compress(&codec);
@@ -78,7 +78,7 @@ bool run_encoder(Encoder& encoder, JDIMENSION width, JDIMENSION height, const st
     codec.input_components = 3;
     codec.in_color_space = JCS_RGB;
     jpeg_set_defaults(&codec);
-    jpeg_set_quality(&codec, kQuality, TRUE);
+    jpeg_set_quality(&codec, quality, TRUE);
     // No subsampling: colour as sharp as brightness.
     codec.comp_info[0].h_samp_factor = 1;
     codec.comp_info[0].v_samp_factor = 1;
@@ -151,11 +151,13 @@ std::uint32_t rgba_of_cmyk(std::uint32_t cmyk, bool inverted) {
 
 }  // namespace
 
-std::string encode_jpeg(const Image& image) {
-    const std::vector<std::uint8_t> codes = to_srgb8(image);
+std::string encode_jpeg(const Image& image, const Encoding& encoding) {
+    Image opaque = image;  // The format has no alpha.
+    opaque.alpha.clear();
+    const std::vector<std::uint8_t> codes = codes8_of(opaque, encoding);
     Encoder encoder;
-    if (!run_encoder(encoder, static_cast<JDIMENSION>(image.width), static_cast<JDIMENSION>(image.height),
-                     codes.data()))
+    if (!run_encoder(encoder, static_cast<JDIMENSION>(image.width), static_cast<JDIMENSION>(image.height), codes.data(),
+                     encoding.jpeg_quality))
         throw OutputError(std::string("can't encode a JPEG: ") + encoder.error.text);
     return {reinterpret_cast<const char*>(encoder.bytes), encoder.size};
 }

@@ -7,7 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "output/codec.h"
-#include "output/srgb.h"
+#include "output/encoding.h"
 
 namespace sundog::output {
 namespace {
@@ -52,18 +52,46 @@ void append_bytes(png_structp png, png_bytep data, std::size_t size) {
 
 void flush_nothing(png_structp) {}
 
-bool write_rows(Writer& writer, png_uint_32 width, png_uint_32 height, const std::uint8_t* codes) {
+/// What the header says of the pixels.
+struct Layout {
+    png_uint_32 width = 0, height = 0;
+    int depth = 8, color_type = PNG_COLOR_TYPE_RGB;
+    std::size_t bytes_per_row = 0;
+    int significant_bits = 8;
+    double file_gamma = 0;  // 0: sRGB
+};
+
+bool write_rows(Writer& writer, const Layout& layout, const std::uint8_t* bytes) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_write_fn(writer.png, &writer, append_bytes, flush_nothing);
-    png_set_IHDR(writer.png, writer.info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_IHDR(writer.png, writer.info, layout.width, layout.height, layout.depth, layout.color_type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (layout.file_gamma > 0) png_set_gAMA(writer.png, writer.info, layout.file_gamma);
+    else png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (layout.significant_bits != layout.depth) {
+        const auto bits = static_cast<png_byte>(layout.significant_bits);
+        const png_color_8 significant{bits, bits, bits, bits, bits};
+        png_set_sBIT(writer.png, writer.info, &significant);
+    }
     png_set_compression_level(writer.png, 4);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB | PNG_FILTER_UP);
     png_write_info(writer.png, writer.info);
-    for (png_uint_32 y = 0; y < height; ++y) png_write_row(writer.png, codes + std::size_t{3} * width * y);
+    for (png_uint_32 y = 0; y < layout.height; ++y) png_write_row(writer.png, bytes + layout.bytes_per_row * y);
     png_write_end(writer.png, nullptr);
     return true;
+}
+
+/// Codes of fewer bits fill 8 or 16 by repeating (PNG specification 12.4), big end first.
+std::vector<std::uint8_t> png_bytes(const std::vector<std::uint16_t>& codes, int bits) {
+    const unsigned largest = (1U << static_cast<unsigned>(bits)) - 1;
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(codes.size() * 2);
+    for (const std::uint16_t code : codes) {
+        const unsigned scaled = (code * (bits > 8 ? 0xFFFFU : 0xFFU) + largest / 2) / largest;
+        if (bits > 8) bytes.push_back(static_cast<std::uint8_t>(scaled >> 8U));
+        bytes.push_back(static_cast<std::uint8_t>(scaled));
+    }
+    return bytes;
 }
 
 struct Reader {
@@ -141,12 +169,21 @@ void read_pixels(Reader& reader, std::vector<T>& values, std::size_t values_per_
 
 }  // namespace
 
-std::string encode_png(const Image& image) {
-    const std::vector<std::uint8_t> codes = to_srgb8(image);
+std::string encode_png(const Image& image, const Encoding& encoding) {
+    const int channels = channels_of(image, encoding);
+    Layout layout{static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height)};
+    layout.depth = encoding.bits > 8 ? 16 : 8;
+    layout.color_type =
+        (encoding.grayscale ? 0 : PNG_COLOR_MASK_COLOR) | (image.alpha.empty() ? 0 : PNG_COLOR_MASK_ALPHA);
+    layout.bytes_per_row = std::size_t{layout.width} * static_cast<std::size_t>(channels * layout.depth / 8);
+    layout.significant_bits = encoding.bits;
+    if (encoding.gamma) layout.file_gamma = 1 / *encoding.gamma;
+    std::vector<std::uint8_t> bytes;
+    if (encoding.bits == 8 && !encoding.grayscale) bytes = codes8_of(image, encoding);
+    else bytes = png_bytes(codes_of(image, encoding, encoding.bits), encoding.bits);
     Writer writer;
     if (writer.info == nullptr) throw std::bad_alloc();
-    if (!write_rows(writer, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
-                    codes.data()))
+    if (!write_rows(writer, layout, bytes.data()))
         throw OutputError(std::string("can't encode a PNG: ") + writer.error.text);
     return std::move(writer.bytes);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Netpbm pictures: PPM and PGM, binary (P6, P5) and as text (P3, P2). P6 is written.
 #include "output/codec.h"
+#include "output/encoding.h"
 
 namespace sundog::output {
 namespace {
@@ -61,10 +62,20 @@ void read_samples(std::vector<T>& rgba, std::size_t pixel_count, bool gray, std:
 
 }  // namespace
 
-std::string encode_ppm(const Image& image) {
-    std::string out = "P6\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n255\n";
-    const std::vector<std::uint8_t> codes = to_srgb8(image);
-    return out.append(reinterpret_cast<const char*>(codes.data()), codes.size());
+std::string encode_ppm(const Image& image, const Encoding& encoding) {
+    Image opaque = image;  // The format has no alpha.
+    opaque.alpha.clear();
+    std::string out = (encoding.grayscale ? "P5\n" : "P6\n") + std::to_string(image.width) + " " +
+                      std::to_string(image.height) + "\n" + std::to_string((1 << encoding.bits) - 1) + "\n";
+    if (encoding.bits == 8 && !encoding.grayscale) {
+        const std::vector<std::uint8_t> codes = codes8_of(opaque, encoding);
+        return out.append(reinterpret_cast<const char*>(codes.data()), codes.size());
+    }
+    for (const std::uint16_t code : codes_of(opaque, encoding, encoding.bits)) {
+        if (encoding.bits > 8) out += static_cast<char>(code >> 8U);
+        out += static_cast<char>(code & 0xFFU);
+    }
+    return out;
 }
 
 Decoded decode_pnm(Bytes bytes, std::size_t bytes_per_pixel) {
