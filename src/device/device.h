@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,10 @@ struct RenderStats {
 
 /// Who a device is.
 struct DeviceInfo {
-    std::string kind;         ///< "cpu" or "gpu"
-    std::string name;         ///< As the driver or processor calls itself.
-    std::string detail;       ///< One line: threads and instruction set, or driver and API version.
-    bool software = false;    ///< A GPU API that runs on the CPU (lavapipe).
+    std::string kind;       ///< "cpu" or "gpu"
+    std::string name;       ///< As the driver or processor calls itself.
+    std::string detail;     ///< One line: threads and instruction set, or driver and API version.
+    bool software = false;  ///< A GPU API that runs on the CPU (lavapipe).
 };
 
 /// Renders frames of one scene at a time. Not thread-safe: one caller at a time. Errors: DeviceError.
@@ -55,6 +56,10 @@ public:
     /// Renders into `film`, whose bounds contain work.region. Returns when done, or soon after `stop` is requested.
     /// The result depends on scene, frame and work alone: never on thread count, timing, or how work was split.
     virtual RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) = 0;
+    /// The same samples for many small regions, which don't overlap; `work.region` is not looked at. A device may share
+    /// them out as it likes.
+    virtual RenderStats render_regions(const Frame& frame, std::span<const PixelRect> regions, RenderWork work,
+                                       Film& film, const StopFlag& stop);
 };
 
 }  // namespace sundog

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 
 #include "base/diagnostics.h"
 #include "sampling/passes.h"
@@ -53,8 +54,9 @@ void Session::load(std::shared_ptr<const RenderScene> scene) {
 }
 
 RenderResult Session::render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress,
-                             const StopFlag& stop) {
-    const PixelRect picture{0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)};
+                             const StopFlag& stop, const std::optional<PixelRect>& region) {
+    const PixelRect picture =
+        region.value_or(PixelRect{0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)});
     RenderResult result{Film(picture, frame.params.aovs), {}, 0, false};
     const Clock::time_point start = Clock::now();
     const double total = static_cast<double>(picture.width()) * picture.height() * samples;
@@ -62,7 +64,7 @@ RenderResult Session::render(const Frame& frame, std::uint32_t samples, const Pr
     BandSizer sizer;
     RenderWork work{picture, 0, 0};
     while ((work.sample_count = sampling::pass_size(work.first_sample, samples)) > 0) {
-        for (int y = 0; y < picture.y1; y = work.region.y1) {
+        for (int y = picture.y0; y < picture.y1; y = work.region.y1) {
             if (stop.requested()) result.stopped = true;
             if (result.stopped) break;
             work.region.y0 = y;
@@ -84,6 +86,35 @@ RenderResult Session::render(const Frame& frame, std::uint32_t samples, const Pr
     }
     result.stats.complete = !result.stopped;
     result.seconds = seconds_since(start);
+    return result;
+}
+
+RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling& sampling,
+                                      const ProgressSink& progress, const StopFlag& stop,
+                                      const std::optional<PixelRect>& region) {
+    // Until the contrast is known, the first pass counts as half of the work.
+    const ProgressSink first_half = [&](const Progress& p) {
+        if (progress) progress({p.fraction / 2, p.seconds, p.rays});
+    };
+    RenderResult result = render(frame, 1, first_half, stop, region);
+    if (result.stopped || sampling.samples < 2) return result;
+    const Clock::time_point start = Clock::now();
+    const double seconds_before = result.seconds;
+    const std::vector<PixelRect> regions = contrasting_regions(result.film, sampling);
+    // Few enough that a stop is answered soon, enough to keep all threads busy.
+    constexpr std::size_t kAtOnce = 256;
+    for (std::size_t done = 0; done < regions.size() && !result.stopped; done += kAtOnce) {
+        const auto some = std::span(regions).subspan(done, std::min(kAtOnce, regions.size() - done));
+        const RenderStats stats =
+            device_->render_regions(frame, some, {{}, 1, sampling.samples - 1}, result.film, stop);
+        result.stats.rays += stats.rays;
+        result.stats.shadow_rays += stats.shadow_rays;
+        result.stopped = !stats.complete;
+        result.seconds = seconds_before + seconds_since(start);
+        const double refined = static_cast<double>(done + some.size()) / static_cast<double>(regions.size());
+        if (progress) progress({0.5 + refined / 2, result.seconds, result.stats.rays});
+    }
+    result.stats.complete = !result.stopped;
     return result;
 }
 

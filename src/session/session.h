@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "device/device.h"
+#include "session/contrast.h"
 
 namespace sundog {
 
@@ -38,7 +39,14 @@ public:
 
     /// Renders a whole picture of `samples` samples a pixel. Work is split by sample passes and bands so that
     /// progress can be shown and a stop is answered within about 0.1 s.
-    RenderResult render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress, const StopFlag& stop);
+    /// With a `region`, which must lie in the picture, only its pixels are rendered, and the film's bounds are it.
+    RenderResult render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress, const StopFlag& stop,
+                        const std::optional<PixelRect>& region = {});
+
+    /// Renders one sample a pixel, then more where neighbours differ (contrasting_regions). The film's pixels then have
+    /// different numbers of samples. `region` as above.
+    RenderResult render_adaptive(const Frame& frame, const AdaptiveSampling& sampling, const ProgressSink& progress,
+                                 const StopFlag& stop, const std::optional<PixelRect>& region = {});
 
     /// Renders samples [first, first+count) of `film`'s region into it; the viewer's way.
     RenderStats render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,

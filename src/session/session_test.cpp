@@ -65,6 +65,42 @@ RenderResult render(std::unique_ptr<CountingDevice> device, std::uint32_t sample
     return session.render(frame_of(37, 200), samples, progress, stop);
 }
 
+// Catches pixels of a region that lie elsewhere in its film, and work outside it.
+TEST(Session, RegionsArePartsOfThePicture) {
+    Session session(std::make_unique<CountingDevice>());
+    const PixelRect region{5, 30, 20, 170};
+    const RenderResult part = session.render(frame_of(37, 200), 3, {}, StopFlag{}, region);
+    const RenderResult whole = session.render(frame_of(37, 200), 3, {}, StopFlag{});
+    EXPECT_EQ(part.film.bounds, region);
+    EXPECT_EQ(part.stats.rays, 15U * 140U * 3U);
+    for (int y = region.y0; y < region.y1; ++y)
+        for (int x = region.x0; x < region.x1; ++x)
+            ASSERT_EQ(part.film.radiance[part.film.index(x, y)], whole.film.radiance[whole.film.index(x, y)]);
+}
+
+// Catches refined pixels that lose or repeat samples, and refinement that is stopped but counts as done.
+TEST(Session, AdaptiveSamplingAddsSamplesAtEdges) {
+    StopFlag stop;
+    auto device = std::make_unique<CountingDevice>();
+    Session session(std::move(device));
+    const RenderResult result =
+        session.render_adaptive(frame_of(37, 200), {.threshold = 0.1, .gamma = 1, .samples = 6}, {}, stop);
+    EXPECT_FALSE(result.stopped);
+    int refined = 0;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 37; ++x) {
+            const auto& sum = result.film.radiance[result.film.index(x, y)];
+            ASSERT_TRUE(sum[3] == 1 || sum[3] == 6);
+            refined += sum[3] == 6 ? 1 : 0;
+            float want = 0;
+            for (std::uint32_t s = 0; s < static_cast<std::uint32_t>(sum[3]); ++s) want += value_of(x, y, s);
+            ASSERT_NEAR(sum[0], want, 1e-3F);
+        }
+    EXPECT_GT(refined, 0);
+    stop.request();
+    EXPECT_TRUE(session.render_adaptive(frame_of(37, 200), {}, {}, stop).stopped);
+}
+
 // Catches bands that leave rows out or render them twice, and passes that repeat or skip samples.
 TEST(Session, EveryPixelGetsEverySampleOnce) {
     const RenderResult result = render(std::make_unique<CountingDevice>(), 21);

@@ -72,8 +72,7 @@ public:
     }
 
     RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
-        std::atomic<std::uint64_t> rays{0}, shadow_rays{0};
-        std::atomic<bool> complete{true};
+        Totals totals;
         const PixelRect& r = work.region;
         const auto tiles_before = [](int pixel) { return pixel / kTileSide; };
         const auto tiles_to = [](int pixel) { return (pixel + kTileSide - 1) / kTileSide; };
@@ -84,25 +83,47 @@ public:
             tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& range) {
                 for (int ty = range.rows().begin(); ty != range.rows().end(); ++ty) {
                     for (int tx = range.cols().begin(); tx != range.cols().end(); ++tx) {
-                        if (stop.requested()) {
-                            complete = false;
-                            return;
-                        }
                         const PixelRect tile{std::max(r.x0, tx * kTileSide), std::max(r.y0, ty * kTileSide),
                                              std::min(r.x1, (tx + 1) * kTileSide),
                                              std::min(r.y1, (ty + 1) * kTileSide)};
-                        const cpu::TileRays done = kernel_(
-                            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film});
-                        rays += done.rays;
-                        shadow_rays += done.shadow_rays;
+                        render_tile(frame, tile, work, film, stop, totals);
                     }
                 }
             });
         });
-        return {rays, shadow_rays, complete};
+        return {totals.rays, totals.shadow_rays, totals.complete};
+    }
+
+    RenderStats render_regions(const Frame& frame, std::span<const PixelRect> regions, RenderWork work, Film& film,
+                               const StopFlag& stop) override {
+        Totals totals;
+        arena_.execute([&] {
+            embree_->update(frame);
+            tbb::parallel_for(std::size_t{0}, regions.size(),
+                              [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
+        });
+        return {totals.rays, totals.shadow_rays, totals.complete};
     }
 
 private:
+    /// What the threads of one call did together.
+    struct Totals {
+        std::atomic<std::uint64_t> rays{0}, shadow_rays{0};
+        std::atomic<bool> complete{true};
+    };
+
+    void render_tile(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
+                     const StopFlag& stop, Totals& totals) const {
+        if (stop.requested()) {
+            totals.complete = false;
+            return;
+        }
+        const cpu::TileRays done =
+            kernel_({*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film});
+        totals.rays += done.rays;
+        totals.shadow_rays += done.shadow_rays;
+    }
+
     static bool count_memory(void* total, ssize_t bytes, bool) {
         *static_cast<std::atomic<std::int64_t>*>(total) += bytes;
         return true;

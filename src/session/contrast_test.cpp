@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session/contrast.h"
+
+#include <gtest/gtest.h>
+
+namespace sundog {
+namespace {
+
+Film film_of(PixelRect bounds, auto color) {
+    Film film(bounds);
+    for (int y = bounds.y0; y < bounds.y1; ++y)
+        for (int x = bounds.x0; x < bounds.x1; ++x) {
+            const float value = color(x, y);
+            film.radiance[film.index(x, y)] = {value, value, value, 1};
+        }
+    return film;
+}
+
+int holding(const std::vector<PixelRect>& regions, int x, int y) {
+    int count = 0;
+    for (const PixelRect& r : regions) count += x >= r.x0 && x < r.x1 && y >= r.y0 && y < r.y1 ? 1 : 0;
+    return count;
+}
+
+// Catches edges that are missed, refined twice, or only on one side; and work where there is nothing to refine.
+TEST(Contrast, EdgesAreCoveredOnce) {
+    const PixelRect bounds{3, 5, 103, 77};
+    const auto is_right = [](int x, int y) { return x + y / 2 >= 60; };
+    const Film film = film_of(bounds, [&](int x, int y) { return is_right(x, y) ? 0.9F : 0.1F; });
+    const auto regions = contrasting_regions(film, {});
+    int covered = 0;
+    for (int y = bounds.y0; y < bounds.y1; ++y)
+        for (int x = bounds.x0; x < bounds.x1; ++x) {
+            const bool at_edge = (x > bounds.x0 && is_right(x, y) != is_right(x - 1, y)) ||
+                                 (x + 1 < bounds.x1 && is_right(x, y) != is_right(x + 1, y)) ||
+                                 (y > bounds.y0 && is_right(x, y) != is_right(x, y - 1)) ||
+                                 (y + 1 < bounds.y1 && is_right(x, y) != is_right(x, y + 1));
+            const int count = holding(regions, x, y);
+            ASSERT_LE(count, 1);
+            ASSERT_TRUE(count == 1 || !at_edge) << x << " " << y;
+            covered += count;
+        }
+    EXPECT_LT(covered, bounds.width() * bounds.height() / 3);
+    for (const PixelRect& r : regions) {
+        EXPECT_TRUE(r.x0 % 8 == 0 || r.x0 == bounds.x0);
+        EXPECT_TRUE(r.y1 % 8 == 0 || r.y1 == bounds.y1);
+    }
+}
+
+// Catches a threshold or a gamma that isn't looked at, and light brighter than white that counts as contrast.
+TEST(Contrast, ThresholdAndGamma) {
+    const PixelRect bounds{0, 0, 16, 16};
+    const Film dark = film_of(bounds, [](int x, int) { return x < 8 ? 0.0F : 0.01F; });
+    EXPECT_FALSE(contrasting_regions(dark, {}).empty()) << "0.01 is 0.16 after gamma 2.5, three times";
+    EXPECT_TRUE(contrasting_regions(dark, {.gamma = 1}).empty());
+    EXPECT_TRUE(contrasting_regions(dark, {.threshold = 0.5}).empty());
+    const Film bright = film_of(bounds, [](int x, int) { return x < 8 ? 1.0F : 90.0F; });
+    EXPECT_TRUE(contrasting_regions(bright, {}).empty());
+    EXPECT_EQ(contrasting_regions(bright, {.threshold = 0}).size(), 2U) << "0 refines everything";
+}
+
+}  // namespace
+}  // namespace sundog
