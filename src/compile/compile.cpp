@@ -7,6 +7,8 @@
 #include "compile/convert.h"
 #include "compile/material.h"
 #include "compile/mesh.h"
+#include "compile/solid.h"
+#include "solids/compiled_solid.h"
 
 namespace sundog {
 namespace {
@@ -51,12 +53,15 @@ MeshAttributes attributes_of(const scene::Scene& scene, const RenderScene& out) 
     for (const kernel::Material& m : out.materials)
         if (m.flags & kernel::MATERIAL_TEXTURED) attributes.uvs = true;
     for (const scene::Object& object : scene.objects)
-        if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape); mesh && !mesh->normals.empty())
-            attributes.normals = true;
+        if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
+            attributes.normals = attributes.normals || !mesh->normals.empty();
+        } else if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
+            attributes.normals = attributes.normals || solid_attributes(**solid).normals;
+        }
     return attributes;
 }
 
-/// Appends the primitives of one object; `geometry` says where it will stand.
+/// Appends the primitives of one object that is not a solid; `geometry` says where it will stand.
 class PrimitiveWriter {
 public:
     PrimitiveWriter(const scene::Object& object, MeshAttributes attributes, RenderScene& out, const WarningSink& warn)
@@ -85,6 +90,7 @@ public:
                                static_cast<std::uint32_t>(out_.geometries.size())});
         return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE};
     }
+    /// Solids are append_solid's.
     kernel::Geometry operator()(const std::shared_ptr<const scene::Solid>&) { return none("a solid"); }
 
 private:
@@ -105,6 +111,50 @@ private:
     const WarningSink& warn_;
 };
 
+/// Which rays see an object.
+std::uint32_t visible_to(const scene::Object& object) {
+    return (object.seen_by_camera ? kernel::RAY_CAMERA : 0U) |
+           (object.seen_in_reflections ? kernel::RAY_REFLECTED : 0U) | (object.casts_shadow ? kernel::RAY_SHADOW : 0U);
+}
+
+/// Lists the geometries of the scene's objects.
+class GeometryList {
+public:
+    explicit GeometryList(RenderScene& out) : out_(out) {}
+
+    void begin_object(std::uint32_t index) { object_ = index; }
+    void add(kernel::Geometry geometry, const scene::Object& object) {
+        if (object.motion) geometry.instance = instance_count_++;
+        out_.geometries.push_back(geometry);
+        out_.geometry_names.push_back(object.name);
+        out_.geometry_objects.push_back(object_);
+        out_.geometry_visible_to.push_back(visible_to(object));
+    }
+    void add(const SolidPart& part, const scene::Object& object) {
+        if (part.solid)
+            out_.solids.push_back({part.solid, static_cast<std::uint32_t>(out_.geometries.size()), object.where});
+        if (!continues_run(part.geometry, object)) add(part.geometry, object);
+        else out_.geometries.back().primitive_count += part.geometry.primitive_count;
+    }
+    [[nodiscard]] bool moving() const { return instance_count_ > 0; }
+
+private:
+    /// A scene may consist of a million spheres, each an object: those in a row that go by one name are one geometry.
+    [[nodiscard]] bool continues_run(const kernel::Geometry& g, const scene::Object& object) const {
+        if (g.kind == kernel::GEOMETRY_SOLID || g.kind == kernel::GEOMETRY_PLANE || out_.geometries.empty() ||
+            object.motion)
+            return false;
+        const kernel::Geometry& last = out_.geometries.back();
+        return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
+               last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
+               out_.geometry_visible_to.back() == visible_to(object);
+    }
+
+    RenderScene& out_;
+    std::uint32_t object_ = 0;
+    std::uint32_t instance_count_ = 0;
+};
+
 /// Object-space bounds; empty for a plane.
 Bounds3 bounds_of(const scene::Object& object) {
     Bounds3 bounds;
@@ -122,8 +172,7 @@ Bounds3 bounds_of(const scene::Object& object) {
     return bounds;
 }
 
-Bounds3 world_bounds_of(const scene::Object& object) {
-    const Bounds3 bounds = bounds_of(object);
+Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
     if (!object.motion || bounds.empty()) return bounds;
     const Affine3 world_from_object = scene::transform_at(*object.motion, 0);
     Bounds3 world;
@@ -140,12 +189,15 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
     for (const kernel::Sphere& s : scene.spheres) used[s.material] = true;
     for (const kernel::Box& b : scene.boxes) used[b.material] = true;
     for (const kernel::Plane& p : scene.planes) used[p.material] = true;
+    for (const PlacedSolid& s : scene.solids)
+        for (const std::uint32_t material : s.solid->materials()) used[material] = true;
 
     std::uint32_t features = 0;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) features |= material_features(scene.materials[i]);
     if (attributes.normals && !scene.triangles.empty()) features |= kernel::FEATURE_SMOOTH;
-    if (!scene.spheres.empty() || !scene.boxes.empty() || !scene.planes.empty()) features |= kernel::FEATURE_ANALYTIC;
+    if (!scene.spheres.empty() || !scene.boxes.empty() || !scene.planes.empty() || !scene.solids.empty())
+        features |= kernel::FEATURE_ANALYTIC;
     if (moving) features |= kernel::FEATURE_INSTANCES;
     return features;
 }
@@ -158,18 +210,23 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
     compile_materials(scene, *out);
 
     const MeshAttributes attributes = attributes_of(scene, *out);
-    std::uint32_t instance_count = 0;
+    GeometryList list(*out);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
-        kernel::Geometry geometry = std::visit(PrimitiveWriter{object, attributes, *out, warn}, object.shape);
+        list.begin_object(static_cast<std::uint32_t>(i));
+        if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
+            append_solid(scene, object, **solid, attributes, *out, warn, [&](const SolidPart& part) {
+                list.add(part, object);
+                out->bounds.include(world_bounds_of(object, part.bounds));
+            });
+            continue;
+        }
+        const kernel::Geometry geometry = std::visit(PrimitiveWriter{object, attributes, *out, warn}, object.shape);
         if (geometry.primitive_count == 0) continue;
-        if (object.motion) geometry.instance = instance_count++;
-        out->geometries.push_back(geometry);
-        out->geometry_names.push_back(object.name);
-        out->geometry_objects.push_back(static_cast<std::uint32_t>(i));
-        out->bounds.include(world_bounds_of(object));
+        list.add(geometry, object);
+        out->bounds.include(world_bounds_of(object, bounds_of(object)));
     }
-    out->features = features_of(*out, attributes, instance_count > 0);
+    out->features = features_of(*out, attributes, list.moving());
 
     // Arrays bound to a kernel are never empty, and positions are read four floats at a time.
     out->positions.push_back({0, 0, 0});

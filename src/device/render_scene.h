@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "base/vec.h"
 #include "kernel/shared.h"
 
@@ -23,13 +26,26 @@ struct Arrays {
 };
 }  // namespace render_scene_detail
 
+namespace solids {
+class CompiledSolid;
+}
+
+/// The solid that a Geometry of kind GEOMETRY_SOLID stands for. Its hits' materials are indices into `materials`.
+struct PlacedSolid {
+    std::shared_ptr<const solids::CompiledSolid> solid;
+    std::uint32_t geometry = 0;  ///< Index into `geometries`.
+    SourceLocation where;        ///< Of the object in the scene's file.
+};
+
 /// A compiled scene: the kernel's arrays (see kernel/arrays.h), immutable once made by compile(), shared by devices.
 struct RenderScene : render_scene_detail::Arrays {
     std::uint32_t features = 0;  ///< FEATURE_* bits that the scene itself needs (shadows and culling are the frame's).
     Bounds3 bounds;              ///< World bounds of all finite geometry at rest.
-    std::vector<std::string> geometry_names;  ///< One for each of `geometries`; the scene object's name.
-    std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
-    std::vector<std::string> material_names;  ///< One for each of `materials`.
+    std::vector<std::string> geometry_names;         ///< One for each of `geometries`; the scene object's name.
+    std::vector<std::uint32_t> geometry_objects;     ///< One for each of `geometries`: index into Scene::objects.
+    std::vector<std::string> material_names;         ///< One for each of `materials`.
+    std::vector<PlacedSolid> solids;                 ///< Ascending by geometry.
+    std::vector<std::uint32_t> geometry_visible_to;  ///< One for each of `geometries`: RAY_* bits.
 };
 
 /// Bytes of all arrays.

@@ -23,6 +23,12 @@ KERNEL_CONST uint GEOMETRY_PLANE = 3u;
 /// texture coordinates, its normal is in world space.
 KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 
+/// What a ray is for, as bits: a geometry may be seen by some of them only.
+KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
+KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror.
+KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
+KERNEL_CONST uint RAY_ALL = 7u;
+
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
 

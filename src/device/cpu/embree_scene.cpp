@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/cpu/embree_scene.h"
 
+#include <algorithm>
 #include <cstring>
 #include <string>
 
 #include "base/diagnostics.h"
+#include "device/cpu/solid_callbacks.h"
 #include "kernel/shapes/box.h"
 #include "kernel/shapes/sphere.h"
 
@@ -30,6 +32,10 @@ std::uint32_t material_of(const RenderScene& scene, const kernel::Geometry& geom
         default:
             return scene.triangles[i].material;
     }
+}
+
+bool culls(const GeometryData& data, std::uint32_t primitive) {
+    return data.culling && data.opaque(material_of(*data.scene, data.geometry, primitive));
 }
 
 kernel::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
@@ -66,11 +72,6 @@ EmbreeScene::EmbreeScene(RTCDevice device, const RenderScene& scene)
     check("building acceleration structures");
 }
 
-bool EmbreeScene::GeometryData::culls(std::uint32_t primitive) const {
-    return culling &&
-           (scene->materials[material_of(*scene, geometry, primitive)].flags & kernel::MATERIAL_TRANSPARENT) == 0;
-}
-
 void EmbreeScene::check(const char* doing) const {
     switch (rtcGetDeviceError(device_)) {
         case RTC_ERROR_NONE:
@@ -93,21 +94,42 @@ embree::Geometry EmbreeScene::make_geometry(GeometryData& data) {
                                    sizeof(kernel::Triangle) * g.first_primitive, sizeof(kernel::Triangle),
                                    g.primitive_count);
     } else {
+        const bool solid = g.kind == kernel::GEOMETRY_SOLID;
         rtcSetGeometryUserPrimitiveCount(geometry.get(), g.primitive_count);
-        rtcSetGeometryBoundsFunction(geometry.get(), bounds_of, &data);
-        rtcSetGeometryIntersectFunction(geometry.get(), intersect);
-        rtcSetGeometryOccludedFunction(geometry.get(), occluded);
+        rtcSetGeometryBoundsFunction(geometry.get(), solid ? solid_bounds : bounds_of, &data);
+        rtcSetGeometryIntersectFunction(geometry.get(), solid ? intersect_solid : intersect);
+        rtcSetGeometryOccludedFunction(geometry.get(), solid ? occluded_by_solid : occluded);
     }
+    // What may be seen is for the callbacks to say; Embree 4 would compare masks by itself, and starts with 1.
+    rtcSetGeometryMask(geometry.get(), 0xffffffffU);
     rtcSetGeometryUserData(geometry.get(), &data);
+    data.handle = geometry.get();
+    set_filters(data);
     rtcCommitGeometry(geometry.get());
     return geometry;
+}
+
+/// Triangles are Embree's own: what a frame or a geometry leaves out of them, a filter does.
+void EmbreeScene::set_filters(const GeometryData& data) {
+    if (data.geometry.kind != kernel::GEOMETRY_TRIANGLES) return;
+    const bool filters = data.culling || data.visible_to != kernel::RAY_ALL;
+    rtcSetGeometryIntersectFilterFunction(data.handle, filters ? filter : nullptr);
+    rtcSetGeometryOccludedFilterFunction(data.handle, filters ? filter : nullptr);
 }
 
 void EmbreeScene::add(std::uint32_t index) {
     const kernel::Geometry& g = scene_.geometries[index];
     data_.push_back(std::make_unique<GeometryData>(GeometryData{&scene_, g}));
-    const embree::Geometry geometry = make_geometry(*data_.back());
-    data_.back()->handle = geometry.get();
+    GeometryData& data = *data_.back();
+    if (index < scene_.geometry_visible_to.size()) data.visible_to = scene_.geometry_visible_to[index];
+    if (g.kind == kernel::GEOMETRY_SOLID) {
+        const auto placed = std::lower_bound(scene_.solids.begin(), scene_.solids.end(), index,
+                                             [](const PlacedSolid& s, std::uint32_t i) { return s.geometry < i; });
+        if (placed == scene_.solids.end() || placed->geometry != index)
+            throw DeviceError("geometry " + std::to_string(index) + " is a solid, but the scene holds none for it");
+        data.solid = placed->solid.get();
+    }
+    const embree::Geometry geometry = make_geometry(data);
     if (g.instance == NONE) {
         rtcAttachGeometryByID(top_.get(), geometry.get(), index);
         return;
@@ -119,6 +141,7 @@ void EmbreeScene::add(std::uint32_t index) {
     const embree::Geometry instance(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE));
     rtcSetGeometryInstancedScene(instance.get(), object.get());
     rtcSetGeometryTimeStepCount(instance.get(), 1);
+    rtcSetGeometryMask(instance.get(), 0xffffffffU);
     rtcCommitGeometry(instance.get());
     rtcAttachGeometryByID(top_.get(), instance.get(), index);
     if (instances_.size() <= g.instance) instances_.resize(g.instance + 1, nullptr);
@@ -134,8 +157,7 @@ void EmbreeScene::update(const Frame& frame) {
         for (const std::unique_ptr<GeometryData>& data : data_) {
             data->culling = cull_now;
             if (data->geometry.kind != kernel::GEOMETRY_TRIANGLES) continue;  // shapes of ours cull by themselves
-            rtcSetGeometryIntersectFilterFunction(data->handle, cull_now ? cull : nullptr);
-            rtcSetGeometryOccludedFilterFunction(data->handle, cull_now ? cull : nullptr);
+            set_filters(*data);
             rtcCommitGeometry(data->handle);
         }
         for (const embree::Scene& object : moving_) rtcCommitScene(object.get());
@@ -176,13 +198,13 @@ void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {
     const unsigned n = args->N;
     RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, n);
     RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
-    const bool culls = data.culls(args->primID);
+    const bool culling = culls(data, args->primID);
     for (unsigned lane = 0; lane < n; ++lane) {
-        if (args->valid[lane] == 0) continue;
+        if (args->valid[lane] == 0 || (RTCRayN_mask(rays, n, lane) & data.visible_to) == 0) continue;
         float t = 0;
         kernel::real3 normal;
         const kernel::Ray ray = ray_of(rays, n, lane);
-        if (!hit_shape(*data.scene, data.geometry, args->primID, ray, culls, t, normal)) continue;
+        if (!hit_shape(*data.scene, data.geometry, args->primID, ray, culling, t, normal)) continue;
         RTCRayN_tfar(rays, n, lane) = t;
         RTCHitN_u(hits, n, lane) = 0;
         RTCHitN_v(hits, n, lane) = 0;
@@ -197,24 +219,27 @@ void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {
 
 void EmbreeScene::occluded(const RTCOccludedFunctionNArguments* args) {
     const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    const bool culls = data.culls(args->primID);
+    const bool culling = culls(data, args->primID);
     const unsigned n = args->N;
     for (unsigned lane = 0; lane < n; ++lane) {
-        if (args->valid[lane] == 0) continue;
+        if (args->valid[lane] == 0 || (RTCRayN_mask(args->ray, n, lane) & data.visible_to) == 0) continue;
         float t = 0;
         kernel::real3 normal;
-        if (hit_shape(*data.scene, data.geometry, args->primID, ray_of(args->ray, n, lane), culls, t, normal))
+        if (hit_shape(*data.scene, data.geometry, args->primID, ray_of(args->ray, n, lane), culling, t, normal))
             RTCRayN_tfar(args->ray, n, lane) = -INFINITY;
     }
 }
 
-void EmbreeScene::cull(const RTCFilterFunctionNArguments* args) {
+void EmbreeScene::filter(const RTCFilterFunctionNArguments* args) {
     const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
     const unsigned n = args->N;
     for (unsigned lane = 0; lane < n; ++lane) {
         if (args->valid[lane] == 0) continue;
-        const std::uint32_t material = material_of(*data.scene, data.geometry, RTCHitN_primID(args->hit, n, lane));
-        if (data.scene->materials[material].flags & kernel::MATERIAL_TRANSPARENT) continue;
+        if ((RTCRayN_mask(args->ray, n, lane) & data.visible_to) == 0) {
+            args->valid[lane] = 0;
+            continue;
+        }
+        if (!culls(data, RTCHitN_primID(args->hit, n, lane))) continue;
         const float facing = RTCHitN_Ng_x(args->hit, n, lane) * RTCRayN_dir_x(args->ray, n, lane) +
                              RTCHitN_Ng_y(args->hit, n, lane) * RTCRayN_dir_y(args->ray, n, lane) +
                              RTCHitN_Ng_z(args->hit, n, lane) * RTCRayN_dir_z(args->ray, n, lane);

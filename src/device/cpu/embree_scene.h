@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "device/cpu/embree.h"
+#include "device/cpu/geometry_data.h"
 #include "device/render_scene.h"
 
 namespace sundog::cpu {
@@ -22,15 +23,6 @@ public:
     [[nodiscard]] RTCScene handle() const { return top_.get(); }
 
 private:
-    /// What Embree's callbacks are told of a geometry.
-    struct GeometryData {
-        const RenderScene* scene;
-        kernel::Geometry geometry;
-        RTCGeometry handle = nullptr;  ///< Owned by the scene it is attached to.
-        bool culling = false;
-        [[nodiscard]] bool culls(std::uint32_t primitive) const;
-    };
-
     void add(std::uint32_t index);
     embree::Geometry make_geometry(GeometryData& data);
     void check(const char* doing) const;
@@ -38,7 +30,8 @@ private:
     static void bounds_of(const RTCBoundsFunctionArguments* args);
     static void intersect(const RTCIntersectFunctionNArguments* args);
     static void occluded(const RTCOccludedFunctionNArguments* args);
-    static void cull(const RTCFilterFunctionNArguments* args);
+    static void filter(const RTCFilterFunctionNArguments* args);
+    static void set_filters(const GeometryData& data);
 
     RTCDevice device_;
     const RenderScene& scene_;

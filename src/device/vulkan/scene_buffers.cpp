@@ -48,6 +48,29 @@ std::vector<std::string> arrays_too_large(const RenderScene& scene, const Adapte
     return sentences;
 }
 
+std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
+    constexpr std::size_t kMost = 5;
+    std::vector<std::string> sentences;
+    std::size_t more = 0;
+    const auto add = [&](std::uint32_t geometry, const SourceLocation* where, const char* what) {
+        if (sentences.size() >= kMost) {
+            ++more;
+            return;
+        }
+        const std::string name = geometry < scene.geometry_names.size() ? scene.geometry_names[geometry] : "";
+        std::string place;
+        if (where != nullptr && where->file) place = *where->file + ":" + std::to_string(where->line) + ": ";
+        sentences.push_back(place + "object '" + name + "' " + what + "; use --device cpu");
+    };
+    for (const PlacedSolid& solid : scene.solids)
+        add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
+    for (std::uint32_t i = 0; i < scene.geometry_visible_to.size(); ++i)
+        if (scene.geometry_visible_to[i] != kernel::RAY_ALL && scene.geometries[i].kind != kernel::GEOMETRY_SOLID)
+            add(i, nullptr, "is hidden from the camera, mirrors or lights, which only the CPU can do");
+    if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
+    return sentences;
+}
+
 SceneBuffers::SceneBuffers(Gpu& gpu, Pipelines& pipelines, const RenderScene& scene)
     : instances_move_((scene.features & kernel::FEATURE_INSTANCES) != 0), hierarchy_(build_hierarchy(scene)) {
     const auto upload = [&](std::uint32_t binding, std::span<const std::byte> content, const std::string& name) {

@@ -16,6 +16,10 @@ namespace sundog::vulkan {
 /// One sentence for each array of the scene that is larger than the adapter's shaders can read.
 std::vector<std::string> arrays_too_large(const RenderScene& scene, const Adapter& adapter);
 
+/// One sentence for each thing that the shaders can't draw (at most a few, then how many more there are): exact solids,
+/// and objects that some rays don't see.
+std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene);
+
 /// The loaded scene. What a frame brings (lights, placements, the top level) is kept here too.
 class SceneBuffers {
 public:

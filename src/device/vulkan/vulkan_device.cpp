@@ -34,7 +34,9 @@ public:
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
 
     [[nodiscard]] std::vector<std::string> unsupported(const RenderScene& scene) const override {
-        return arrays_too_large(scene, gpu_.adapter());
+        std::vector<std::string> sentences = not_drawn_by_shaders(scene);
+        for (std::string& sentence : arrays_too_large(scene, gpu_.adapter())) sentences.push_back(std::move(sentence));
+        return sentences;
     }
 
     void load(std::shared_ptr<const RenderScene> scene) override {

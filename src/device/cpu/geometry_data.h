@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Embree's callbacks are told of a geometry.
+#pragma once
+
+#include <cstdint>
+
+#include "device/cpu/embree.h"
+#include "device/render_scene.h"
+
+namespace sundog::cpu {
+
+struct GeometryData {
+    const RenderScene* scene;
+    kernel::Geometry geometry;
+    const solids::CompiledSolid* solid = nullptr;  ///< Of a GEOMETRY_SOLID.
+    std::uint32_t visible_to = kernel::RAY_ALL;    ///< RAY_* bits. Debian's Embree has no ray masks: callbacks ask.
+    RTCGeometry handle = nullptr;                  ///< Owned by the scene it is attached to.
+    bool culling = false;
+
+    [[nodiscard]] bool opaque(std::uint32_t material) const {
+        return (scene->materials[material].flags & kernel::MATERIAL_TRANSPARENT) == 0;
+    }
+};
+
+}  // namespace sundog::cpu

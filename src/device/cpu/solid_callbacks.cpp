@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/cpu/solid_callbacks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "solids/compiled_solid.h"
+
+namespace sundog::cpu {
+namespace {
+
+constexpr double kFarthest = 1e12;
+
+/// The next float below (or above), so that rounding never cuts a box.
+float rounded_down(double v) {
+    return std::nextafter(static_cast<float>(std::clamp(v, -kFarthest, kFarthest)),
+                          -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double v) { return -rounded_down(-v); }
+
+solids::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
+    return {{RTCRayN_org_x(rays, n, lane), RTCRayN_org_y(rays, n, lane), RTCRayN_org_z(rays, n, lane)},
+            {RTCRayN_dir_x(rays, n, lane), RTCRayN_dir_y(rays, n, lane), RTCRayN_dir_z(rays, n, lane)}};
+}
+
+/// The nearest surface in the lane's interval that isn't culled.
+std::optional<solids::Hit> nearest(const GeometryData& data, RTCRayN* rays, unsigned n, unsigned lane) {
+    const solids::Ray ray = ray_of(rays, n, lane);
+    solids::Range range{RTCRayN_tnear(rays, n, lane), RTCRayN_tfar(rays, n, lane)};
+    std::optional<solids::Hit> hit = data.solid->nearest(ray, range);
+    while (hit && data.culling && dot(hit->normal, ray.direction) >= 0 && data.opaque(hit->material)) {
+        range.lower = hit->t;
+        hit = data.solid->nearest(ray, range);
+    }
+    return hit;
+}
+
+}  // namespace
+
+void solid_bounds(const RTCBoundsFunctionArguments* args) {
+    const Bounds3d bounds = static_cast<const GeometryData*>(args->geometryUserPtr)->solid->bounds();
+    RTCBounds& b = *args->bounds_o;
+    b.lower_x = rounded_down(bounds.lower.x), b.upper_x = rounded_up(bounds.upper.x);
+    b.lower_y = rounded_down(bounds.lower.y), b.upper_y = rounded_up(bounds.upper.y);
+    b.lower_z = rounded_down(bounds.lower.z), b.upper_z = rounded_up(bounds.upper.z);
+}
+
+void intersect_solid(const RTCIntersectFunctionNArguments* args) {
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    const unsigned n = args->N;
+    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, n);
+    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
+    for (unsigned lane = 0; lane < n; ++lane) {
+        if (args->valid[lane] == 0 || (RTCRayN_mask(rays, n, lane) & data.visible_to) == 0) continue;
+        const std::optional<solids::Hit> hit = nearest(data, rays, n, lane);
+        if (!hit) continue;
+        RTCRayN_tfar(rays, n, lane) = static_cast<float>(hit->t);
+        RTCHitN_u(hits, n, lane) = static_cast<float>(hit->u);
+        RTCHitN_v(hits, n, lane) = static_cast<float>(hit->v);
+        RTCHitN_Ng_x(hits, n, lane) = static_cast<float>(hit->normal.x);
+        RTCHitN_Ng_y(hits, n, lane) = static_cast<float>(hit->normal.y);
+        RTCHitN_Ng_z(hits, n, lane) = static_cast<float>(hit->normal.z);
+        RTCHitN_geomID(hits, n, lane) = args->geomID;
+        RTCHitN_primID(hits, n, lane) = hit->material;
+        RTCHitN_instID(hits, n, lane, 0) = args->context->instID[0];
+    }
+}
+
+void occluded_by_solid(const RTCOccludedFunctionNArguments* args) {
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    const unsigned n = args->N;
+    for (unsigned lane = 0; lane < n; ++lane) {
+        if (args->valid[lane] == 0 || (RTCRayN_mask(args->ray, n, lane) & data.visible_to) == 0) continue;
+        const bool hit = data.culling ? nearest(data, args->ray, n, lane).has_value()
+                                      : data.solid->any(ray_of(args->ray, n, lane), {RTCRayN_tnear(args->ray, n, lane),
+                                                                                     RTCRayN_tfar(args->ray, n, lane)});
+        if (hit) RTCRayN_tfar(args->ray, n, lane) = -INFINITY;
+    }
+}
+
+}  // namespace sundog::cpu

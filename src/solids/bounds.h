@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boxes that may reach to infinity.
+#pragma once
+
+#include "base/vec3d.h"
+#include "solids/ray.h"
+
+namespace sundog::solids {
+
+inline Bounds3d everywhere() { return {{-kInfinity, -kInfinity, -kInfinity}, {kInfinity, kInfinity, kInfinity}}; }
+inline bool is_finite(const Bounds3d& b) { return sundog::is_finite(b.lower) && sundog::is_finite(b.upper); }
+inline bool contains(const Bounds3d& b, Vec3d p) {
+    return p.x >= b.lower.x && p.x <= b.upper.x && p.y >= b.lower.y && p.y <= b.upper.y && p.z >= b.lower.z &&
+           p.z <= b.upper.z;
+}
+/// The smallest box around both.
+Bounds3d joined(const Bounds3d& a, const Bounds3d& b);
+/// What both have in common; empty where nothing.
+Bounds3d common(const Bounds3d& a, const Bounds3d& b);
+/// The box around a carried box; infinite sides stay infinite.
+Bounds3d transformed(const Affine3d& m, const Bounds3d& b);
+/// Grown by so little that only rounding needs it (a billionth of its size and place).
+Bounds3d padded(const Bounds3d& b);
+/// The part of `range` in which the ray is in the box; empty where it misses it.
+Range clip(const Bounds3d& b, const Ray& ray, Range range);
+
+}  // namespace sundog::solids

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a solid as written to a CompiledSolid.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "solids/compiled_solid.h"
+
+namespace sundog::solids {
+
+namespace {
+
+/// Groups of one kind in each other are one group; those that are left nest no deeper than a ray's stack can go.
+constexpr std::size_t kMaxNesting = 200;
+constexpr std::size_t kMaxWrittenNesting = 5000;
+/// From so many children on, a group has a tree over them.
+constexpr std::size_t kTreeFrom = 8;
+
+struct NodeBounds {
+    Bounds3d inside, outside, surface;
+};
+
+/// A solid with what the groups above it say.
+struct Placed {
+    const scene::Solid* solid;
+    Affine3d world_from_parent;
+    std::uint32_t material, interior_material;
+};
+
+Combination combination_of(scene::SolidGroup::Kind kind) {
+    switch (kind) {
+        case scene::SolidGroup::Kind::combined:
+            return Combination::combined;
+        case scene::SolidGroup::Kind::merged:
+            return Combination::merged;
+        default:
+            return Combination::common;
+    }
+}
+
+Affine3d world_from_shape(const Placed& placed) {
+    const Affine3d m = placed.world_from_parent * placed.solid->parent_from_shape;
+    const double scale = length(m.x) * length(m.y) * length(m.z);
+    if (!(std::abs(determinant(m)) > 1e-14 * scale) || !is_finite(m.x + m.y + m.z + m.t))
+        refuse_shape(placed.solid->where, "this object's transforms flatten it", "no scale may be 0");
+    return m;
+}
+
+std::uint32_t own_or(std::uint32_t own, std::uint32_t above) { return own != scene::Solid::kInherited ? own : above; }
+
+}  // namespace
+
+class SolidCompiler {
+public:
+    std::shared_ptr<CompiledSolid> compile(const scene::Solid& solid, std::uint32_t material) {
+        out_->nodes_.emplace_back();
+        const NodeBounds bounds = place(0, {&solid, {}, material, scene::Solid::kInherited}, 0, true);
+        out_->surface_bounds_ = bounds.surface;
+        collect_materials();
+        return out_;
+    }
+
+private:
+    NodeBounds place(std::uint32_t index, const Placed& placed, std::size_t depth, bool with_clips) {
+        if (depth > kMaxNesting)
+            refuse_shape(placed.solid->where, "objects are nested more than " + std::to_string(kMaxNesting) + " deep");
+        const scene::Solid& solid = *placed.solid;
+        NodeBounds bounds;
+        if (with_clips && !solid.clipped_by.empty()) {
+            bounds = place_clipped(index, placed, depth);
+        } else {
+            if (const auto* group = std::get_if<scene::SolidGroup>(&solid.shape))
+                bounds = place_group(index, placed, *group, depth);
+            else bounds = place_leaf(index, placed);
+            if (solid.inverted) {
+                out_->nodes_[index].inverted = true;
+                std::swap(bounds.inside, bounds.outside);
+            }
+        }
+        set_active(out_->nodes_[index], bounds);
+        return bounds;
+    }
+
+    NodeBounds place_leaf(std::uint32_t index, const Placed& placed) {
+        const Affine3d m = world_from_shape(placed);
+        CompiledSolid::Leaf leaf;
+        leaf.shape = std::visit(
+            [&](const auto& shape) -> ShapePointer {
+                if constexpr (requires { make_shape(shape, placed.solid->where); })
+                    return make_shape(shape, placed.solid->where);
+                else refuse_shape(placed.solid->where, "this kind of object can't be drawn yet");
+            },
+            placed.solid->shape);
+        leaf.shape_from_world = inverse(m);
+        leaf.material = own_or(placed.solid->material, placed.material);
+        leaf.interior_material = own_or(placed.solid->interior_material, placed.interior_material);
+        NodeBounds bounds{leaf.shape->inside_bounds(m), leaf.shape->outside_bounds(m), leaf.shape->bounds(m)};
+        // A solid's surface is where inside and outside meet.
+        if (!bounds.inside.empty()) bounds.surface = common(bounds.surface, common(bounds.inside, bounds.outside));
+        out_->nodes_[index].first = static_cast<std::uint32_t>(out_->leaves_.size());
+        out_->leaves_.push_back(std::move(leaf));
+        return bounds;
+    }
+
+    NodeBounds place_group(std::uint32_t index, const Placed& placed, const scene::SolidGroup& group,
+                           std::size_t depth) {
+        std::vector<Placed> children;
+        gather(placed, group, children, 0);
+        return place_children(index, combination_of(group.kind), children, depth);
+    }
+
+    NodeBounds place_clipped(std::uint32_t index, const Placed& placed, std::size_t depth) {
+        std::vector<Placed> children{placed};
+        for (const std::shared_ptr<const scene::Solid>& clip : placed.solid->clipped_by)
+            children.push_back({clip.get(), placed.world_from_parent, placed.material, placed.interior_material});
+        return place_children(index, Combination::clipped, children, depth);
+    }
+
+    /// The children of a group, and in their place those of groups of its kind among them.
+    void gather(const Placed& placed, const scene::SolidGroup& group, std::vector<Placed>& children,
+                std::size_t depth) {
+        if (depth > kMaxWrittenNesting)
+            refuse_shape(placed.solid->where,
+                         "objects are nested more than " + std::to_string(kMaxWrittenNesting) + " deep");
+        const scene::Solid& solid = *placed.solid;
+        const Affine3d world_from_group = placed.world_from_parent * solid.parent_from_shape;
+        const std::uint32_t material = own_or(solid.material, placed.material);
+        const std::uint32_t interior = own_or(solid.interior_material, placed.interior_material);
+        for (const std::shared_ptr<const scene::Solid>& child : group.children) {
+            const Placed below{child.get(), world_from_group, material, interior};
+            const auto* inner = std::get_if<scene::SolidGroup>(&child->shape);
+            if (inner && inner->kind == group.kind && !child->inverted && child->clipped_by.empty())
+                gather(below, *inner, children, depth + 1);
+            else children.push_back(below);
+        }
+    }
+
+    NodeBounds place_children(std::uint32_t index, Combination combination, const std::vector<Placed>& children,
+                              std::size_t depth) {
+        const auto first = static_cast<std::uint32_t>(out_->nodes_.size());
+        out_->nodes_.resize(first + children.size());
+        std::vector<NodeBounds> bounds;
+        std::vector<Bounds3d> active;
+        std::uint32_t always_inside = 0;
+        for (std::size_t i = 0; i < children.size(); ++i) {
+            const bool with_clips = combination != Combination::clipped || i > 0;
+            const auto slot = first + static_cast<std::uint32_t>(i);
+            bounds.push_back(place(slot, children[i], depth + 1, with_clips));
+            active.push_back(out_->nodes_[slot].active);
+            if (out_->nodes_[slot].state_beyond) ++always_inside;
+        }
+        CompiledSolid::Node& node = out_->nodes_[index];
+        node.combination = combination;
+        node.first = first;
+        node.count = static_cast<std::uint32_t>(children.size());
+        node.always_inside = always_inside;
+        if (children.size() >= kTreeFrom && combination != Combination::clipped) {
+            node.tree = static_cast<std::uint32_t>(out_->trees_.size());
+            out_->trees_.emplace_back(active);
+        }
+        return combination == Combination::combined || combination == Combination::merged
+                   ? bounds_of_union(bounds)
+                   : bounds_of_common(bounds, combination == Combination::clipped);
+    }
+
+    static NodeBounds bounds_of_union(const std::vector<NodeBounds>& children) {
+        NodeBounds out{{}, everywhere(), {}};
+        for (const NodeBounds& child : children) {
+            out.inside = joined(out.inside, child.inside);
+            out.outside = common(out.outside, child.outside);
+            out.surface = joined(out.surface, child.surface);
+        }
+        return out;
+    }
+    static NodeBounds bounds_of_common(const std::vector<NodeBounds>& children, bool first_surface_only) {
+        NodeBounds out{everywhere(), {}, {}};
+        Bounds3d reach = everywhere();
+        for (const NodeBounds& child : children) {
+            out.inside = common(out.inside, child.inside);
+            out.outside = joined(out.outside, child.outside);
+            if (!first_surface_only || &child == &children.front()) out.surface = joined(out.surface, child.surface);
+            reach = common(reach, joined(child.inside, child.surface));
+        }
+        out.surface = common(out.surface, reach);
+        return out;
+    }
+    static void set_active(CompiledSolid::Node& node, const NodeBounds& bounds) {
+        const Bounds3d reach = joined(bounds.inside, bounds.surface);
+        const Bounds3d void_reach = joined(bounds.outside, bounds.surface);
+        node.state_beyond = !is_finite(reach) && !reach.empty() && (is_finite(void_reach) || void_reach.empty());
+        node.active = padded(node.state_beyond ? void_reach : reach);
+    }
+
+    void collect_materials() {
+        std::vector<std::uint32_t>& materials = out_->materials_;
+        for (const CompiledSolid::Leaf& leaf : out_->leaves_) {
+            materials.push_back(leaf.material);
+            if (leaf.interior_material != scene::Solid::kInherited) materials.push_back(leaf.interior_material);
+            for (const std::uint32_t own : leaf.shape->materials()) materials.push_back(own);
+        }
+        std::sort(materials.begin(), materials.end());
+        materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
+    }
+
+    std::shared_ptr<CompiledSolid> out_ = std::make_shared<CompiledSolid>();
+};
+
+std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material) {
+    return SolidCompiler().compile(solid, material);
+}
+
+bool can_be_split(const scene::Solid& solid) {
+    const auto* group = std::get_if<scene::SolidGroup>(&solid.shape);
+    return group != nullptr && group->kind == scene::SolidGroup::Kind::combined && !solid.inverted &&
+           solid.clipped_by.empty();
+}
+
+}  // namespace sundog::solids

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solids/compiled_solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sundog::solids {
+namespace {
+
+/// Crossings so near to each other, relative to the distances in question, are at one place: faces that were meant to
+/// coincide differ by rounding only.
+constexpr double kCoincident = 1e-10;
+
+double coincidence_tolerance(const Ray& ray, double t) {
+    return kCoincident * (std::abs(t) + std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction)));
+}
+
+}  // namespace
+
+bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, EventList& out) const {
+    const Node& node = nodes_[index];
+    if (clip(node.active, ray, range).empty()) return node.state_beyond;
+    const std::size_t first = out.size();
+    const bool starts_inside = node.combination == Combination::leaf ? leaf_events(node, ray, range, out)
+                                                                     : group_events(node, ray, range, out);
+    if (!node.inverted) return starts_inside;
+    for (std::size_t i = first; i < out.size(); ++i) {
+        Event& e = out[i];
+        e.faces_ray = !e.faces_ray;
+        e.flipped = !e.flipped;
+        e.inside_after = !e.inside_after;
+    }
+    return !starts_inside;
+}
+
+bool CompiledSolid::leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
+    const Leaf& leaf = leaves_[node.first];
+    const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
+    CrossingList crossings;
+    const bool starts_inside = leaf.shape->crossings(in_shape, range, crossings);
+    bool is_inside = starts_inside;
+    for (const Crossing& c : crossings) {
+        Event e;
+        e.crossing = c;
+        e.leaf = node.first;
+        e.toggles = c.toggles;
+        e.visible = c.visible;
+        if (c.toggles) {
+            e.faces_ray = !is_inside;
+            is_inside = !is_inside;
+        } else {
+            e.faces_ray = dot(leaf.shape->normal(in_shape.at(c.t), c), in_shape.direction) < 0;
+        }
+        e.inside_after = is_inside;
+        out.push_back(e);
+    }
+    return starts_inside;
+}
+
+/// Puts the children's events together, place by place.
+struct CompiledSolid::Sweep {
+    const Node& node;
+    ChildStates& states;
+    EventList& out;
+    std::size_t total;   ///< Children, those included that the ray doesn't meet.
+    std::size_t inside;  ///< Of them, inside before the place at hand.
+
+    [[nodiscard]] bool is_union() const {
+        return node.combination == Combination::combined || node.combination == Combination::merged;
+    }
+    [[nodiscard]] bool inside_with(std::size_t count) const { return is_union() ? count > 0 : count == total; }
+
+    /// Whether all other children let a surface of this one be seen here: on one of the place's two sides at least.
+    [[nodiscard]] bool others_permit(std::uint32_t child) const {
+        if (node.combination == Combination::combined) return true;
+        if (node.combination == Combination::clipped && child != 0) return false;
+        // Children that the ray doesn't meet, or not here, are on both sides what they were before.
+        const bool wanted = !is_union();
+        std::size_t permitting = wanted ? inside : total - inside;
+        for (const ChildState& s : states)
+            if (s.before != s.after && s.after == wanted) ++permitting;
+        const ChildState& own = states[child];
+        if (own.before == wanted || own.after == wanted) --permitting;
+        return permitting == total - 1;
+    }
+
+    void emit(const Event& event, bool is_inside) {
+        out.push_back(event);
+        out.back().toggles = false;
+        out.back().inside_after = is_inside;
+    }
+
+    /// Events of one place, from `first` to before `last`.
+    void place(const Event* first, const Event* last) {
+        std::size_t inside_after = inside;
+        for (const Event* e = first; e != last; ++e) {
+            if (!e->toggles || states[e->child].after == e->inside_after) continue;
+            states[e->child].after = e->inside_after;
+            inside_after = e->inside_after ? inside_after + 1 : inside_after - 1;
+        }
+        const bool before = inside_with(inside);
+        const bool after = inside_with(inside_after);
+        const std::size_t begin = out.size();
+        // Surfaces at which the inside doesn't change.
+        for (const Event* e = first; e != last; ++e)
+            if (!e->toggles && e->visible && others_permit(e->child)) emit(*e, before);
+        if (node.combination == Combination::combined) {
+            // Of faces that coincide, the first child's counts. What is left comes before what is entered.
+            if (const Event* leaving = surface_of_change(first, last, false)) emit(*leaving, before);
+            if (const Event* entering = surface_of_change(first, last, true)) emit(*entering, before);
+        } else if (before != after) {
+            if (const Event* surface = surface_of_change(first, last, after)) emit(*surface, before);
+        }
+        if (before != after) {
+            if (out.size() == begin) {
+                emit(*first, after);
+                out.back().visible = false;
+            }
+            out.back().toggles = true;
+            out.back().inside_after = after;
+        }
+        for (const Event* e = first; e != last; ++e) states[e->child].before = states[e->child].after;
+        inside = inside_after;
+    }
+
+    /// The first child's visible surface at which that child becomes `entered`.
+    [[nodiscard]] const Event* surface_of_change(const Event* first, const Event* last, bool entered) const {
+        const Event* best = nullptr;
+        for (const Event* e = first; e != last; ++e) {
+            const ChildState& s = states[e->child];
+            if (!e->toggles || !e->visible || s.before == s.after || s.after != entered || e->inside_after != entered)
+                continue;
+            if (node.combination == Combination::clipped && e->child != 0) continue;
+            if (!best || e->child < best->child) best = e;
+        }
+        return best;
+    }
+};
+
+/// Adds a child's events; false if they make the node's outcome certain: nowhere inside, and nothing to be seen.
+bool CompiledSolid::child_events(const Node& node, std::uint32_t child, const Ray& ray, Range range, EventList& all,
+                                 ChildStates& states) const {
+    const std::size_t first = all.size();
+    const bool is_inside = events(node.first + child, ray, range, all);
+    const auto tag = static_cast<std::uint32_t>(states.size());
+    states.push_back({is_inside, is_inside});
+    for (std::size_t i = first; i < all.size(); ++i) all[i].child = tag;
+    const bool is_common = node.combination == Combination::common || node.combination == Combination::clipped;
+    return is_inside || all.size() > first || !is_common;
+}
+
+bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
+    EventList all;
+    ChildStates states;
+    const bool is_common = node.combination == Combination::common || node.combination == Combination::clipped;
+    std::size_t unmet_inside = 0;
+    if (node.tree == kNoTree) {
+        for (std::uint32_t child = 0; child < node.count; ++child)
+            if (!child_events(node, child, ray, range, all, states)) return false;
+    } else {
+        // In the children's order, which decides among faces that coincide.
+        SmallVector<std::uint32_t, 32> met;
+        Range whole = range;
+        trees_[node.tree].along(ray, whole, [&](std::uint32_t child) { met.push_back(child); });
+        std::sort(met.begin(), met.end());
+        unmet_inside = node.always_inside;
+        for (const std::uint32_t child : met)
+            if (nodes_[node.first + child].state_beyond) --unmet_inside;
+        if (is_common && node.count - met.size() != unmet_inside) return false;
+        for (const std::uint32_t child : met)
+            if (!child_events(node, child, ray, range, all, states)) return false;
+    }
+    std::size_t inside = unmet_inside;
+    for (const ChildState& s : states) inside += s.before ? 1 : 0;
+    Sweep sweep{node, states, out, node.count, inside};
+    const bool starts_inside = sweep.inside_with(inside);
+    std::sort(all.begin(), all.end(), [](const Event& a, const Event& b) {
+        return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.child < b.child;
+    });
+    for (std::size_t i = 0; i < all.size();) {
+        const double t = all[i].crossing.t;
+        const double limit = t + coincidence_tolerance(ray, t);
+        std::size_t end = i + 1;
+        while (end < all.size() && all[end].crossing.t <= limit) ++end;
+        sweep.place(all.begin() + i, all.begin() + end);
+        i = end;
+    }
+    return starts_inside;
+}
+
+void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& range, std::optional<Event>& best) const {
+    const Node& node = nodes_[index];
+    if (clip(node.active, ray, range).empty()) return;
+    if (node.combination == Combination::combined && !node.inverted) {
+        if (node.tree == kNoTree)
+            for (std::uint32_t child = 0; child < node.count; ++child)
+                nearest_event(node.first + child, ray, range, best);
+        else
+            trees_[node.tree].along(ray, range,
+                                    [&](std::uint32_t child) { nearest_event(node.first + child, ray, range, best); });
+        return;
+    }
+    EventList list;
+    events(index, ray, range, list);
+    for (const Event& e : list) {
+        if (!e.visible) continue;
+        if (best) {
+            // As in Sweep::place: of surfaces that coincide the one that is left, then the one written first.
+            const double distance = e.crossing.t - best->crossing.t;
+            const bool coincide = std::abs(distance) <= coincidence_tolerance(ray, e.crossing.t);
+            if (coincide && e.faces_ray != best->faces_ray ? e.faces_ray
+                                                           : (coincide ? e.leaf > best->leaf : distance > 0))
+                return;
+        }
+        best = e;
+        range.upper = std::min(range.upper, e.crossing.t + 2 * coincidence_tolerance(ray, e.crossing.t));
+        return;
+    }
+}
+
+bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) const {
+    const Node& node = nodes_[index];
+    if (clip(node.active, ray, range).empty()) return false;
+    if (node.combination == Combination::combined && !node.inverted) {
+        bool found = false;
+        if (node.tree == kNoTree) {
+            for (std::uint32_t child = 0; child < node.count && !found; ++child)
+                found = any_event(node.first + child, ray, range);
+        } else {
+            Range rest = range;
+            trees_[node.tree].along(ray, rest, [&](std::uint32_t child) {
+                found = found || any_event(node.first + child, ray, range);
+                if (found) rest.upper = -kInfinity;
+            });
+        }
+        return found;
+    }
+    EventList list;
+    events(index, ray, range, list);
+    return std::any_of(list.begin(), list.end(), [](const Event& e) { return e.visible; });
+}
+
+std::optional<Hit> CompiledSolid::nearest(const Ray& ray, Range range) const {
+    std::optional<Event> best;
+    const Range asked = range;
+    nearest_event(0, ray, range, best);
+    if (!best || !asked.contains(best->crossing.t)) return std::nullopt;
+    return hit_of(*best, ray);
+}
+
+bool CompiledSolid::any(const Ray& ray, Range range) const { return any_event(0, ray, range); }
+
+Hit CompiledSolid::hit_of(const Event& event, const Ray& ray) const {
+    const Leaf& leaf = leaves_[event.leaf];
+    Hit hit;
+    hit.t = event.crossing.t;
+    const Vec3d in_shape = transform_ray(leaf.shape_from_world, ray).at(hit.t);
+    const Vec3d carried =
+        normalize(transform_normal(leaf.shape_from_world, normalize(leaf.shape->normal(in_shape, event.crossing))));
+    hit.normal = event.flipped ? -carried : carried;
+    // The passage from outside to inside tells better than rounding which way the normal must point.
+    if (event.crossing.toggles && (dot(hit.normal, ray.direction) < 0) != event.faces_ray) hit.normal = -hit.normal;
+    const std::uint32_t own = leaf.shape->material(event.crossing);
+    hit.material = own != scene::Solid::kInherited ? own : leaf.material;
+    if (!event.faces_ray && leaf.interior_material != scene::Solid::kInherited) hit.material = leaf.interior_material;
+    const std::array<double, 2> uv = leaf.shape->uv(in_shape, event.crossing);
+    hit.u = uv[0];
+    hit.v = uv[1];
+    return hit;
+}
+
+bool CompiledSolid::inside_node(std::uint32_t index, Vec3d point) const {
+    const Node& node = nodes_[index];
+    if (!contains(node.active, point)) return node.state_beyond;
+    bool is_inside = false;
+    if (node.combination == Combination::leaf) {
+        const Leaf& leaf = leaves_[node.first];
+        is_inside = leaf.shape->inside(transform_point(leaf.shape_from_world, point));
+    } else if (node.combination == Combination::combined || node.combination == Combination::merged) {
+        const auto in_child = [&](std::uint32_t child) { return inside_node(node.first + child, point); };
+        if (node.tree != kNoTree && node.always_inside == 0) {
+            is_inside = trees_[node.tree].any_at(point, in_child);
+        } else {
+            for (std::uint32_t child = 0; child < node.count && !is_inside; ++child) is_inside = in_child(child);
+        }
+    } else {
+        is_inside = true;
+        for (std::uint32_t child = 0; child < node.count && is_inside; ++child)
+            is_inside = inside_node(node.first + child, point);
+    }
+    return is_inside != node.inverted;
+}
+
+}  // namespace sundog::solids

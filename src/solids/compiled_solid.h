@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// An exact solid, ready for rays: shapes placed in the world and the tree of what is made of them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/vec.h"
+#include "scene/solid.h"
+#include "solids/bounds_tree.h"
+#include "solids/shape.h"
+
+namespace sundog::solids {
+
+/// Where a ray meets a solid.
+struct Hit {
+    double t = 0;
+    Vec3d normal;                ///< Unit, world space, out of the solid.
+    std::uint32_t material = 0;  ///< Into Scene::materials.
+    double u = 0, v = 0;         ///< Texture coordinates.
+};
+
+/// How the children of a node are put together.
+enum class Combination : std::uint8_t {
+    leaf,      ///< One shape.
+    combined,  ///< Inside any; all their surfaces are there.
+    merged,    ///< Inside any; surfaces inside of another child are not there.
+    common,    ///< Inside all.
+    clipped,   ///< The first child's surface and inside, as far as they lie inside all other children.
+};
+
+/// Immutable: any number of threads may ask at once.
+class CompiledSolid {
+public:
+    /// A shape, placed.
+    struct Leaf {
+        ShapePointer shape;
+        Affine3d shape_from_world;
+        std::uint32_t material = 0;
+        std::uint32_t interior_material = scene::Solid::kInherited;
+    };
+    struct Node {
+        Combination combination = Combination::leaf;
+        bool inverted = false;
+        bool state_beyond = false;  ///< Whether points off `active` are inside.
+        std::uint32_t first = 0;    ///< Into leaves, or into nodes: the first child; siblings are neighbours.
+        std::uint32_t count = 0;
+        std::uint32_t tree = kNoTree;     ///< Into trees: over the children's `active` boxes, where there are many.
+        std::uint32_t always_inside = 0;  ///< How many children have state_beyond.
+        Bounds3d active;                  ///< Off this box there is no surface, and the inside doesn't change.
+    };
+    static constexpr std::uint32_t kNoTree = 0xffffffffU;
+
+    /// The nearest surface within `range`.
+    [[nodiscard]] std::optional<Hit> nearest(const Ray& ray, Range range) const;
+    /// Whether there is any surface within `range`.
+    [[nodiscard]] bool any(const Ray& ray, Range range) const;
+    [[nodiscard]] bool inside(Vec3d point) const { return inside_node(0, point); }
+    /// Around all surfaces; infinite sides where the solid has no end.
+    [[nodiscard]] const Bounds3d& bounds() const { return surface_bounds_; }
+    /// Which materials hits may have, ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& materials() const { return materials_; }
+
+    [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+    [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
+
+private:
+    friend class SolidCompiler;
+
+    /// A change along a ray, of one node: a surface, or the inside, or both.
+    struct Event {
+        Crossing crossing;
+        std::uint32_t leaf = 0;
+        std::uint32_t child = 0;  ///< Which of the node's children it came from, while they are put together.
+        bool toggles = false;     ///< The node's inside changes here.
+        bool visible = false;     ///< A surface is there.
+        bool faces_ray = false;   ///< The surface's outer side is the one that the ray comes from.
+        bool flipped = false;     ///< Inverted on the way up: the shape's own normal points inwards.
+        bool inside_after = false;
+    };
+    using EventList = SmallVector<Event, 12>;
+    /// Whether a child is inside, before and after the events that are at one place.
+    struct ChildState {
+        bool before = false, after = false;
+    };
+    using ChildStates = SmallVector<ChildState, 16>;
+    struct Sweep;
+
+    bool events(std::uint32_t node, const Ray& ray, Range range, EventList& out) const;
+    bool leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
+    bool child_events(const Node& node, std::uint32_t child, const Ray& ray, Range range, EventList& all,
+                      ChildStates& states) const;
+    bool group_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
+    void nearest_event(std::uint32_t node, const Ray& ray, Range& range, std::optional<Event>& best) const;
+    [[nodiscard]] bool any_event(std::uint32_t node, const Ray& ray, Range range) const;
+    [[nodiscard]] bool inside_node(std::uint32_t node, Vec3d point) const;
+    [[nodiscard]] Hit hit_of(const Event& event, const Ray& ray) const;
+
+    std::vector<Node> nodes_;  ///< The root is first.
+    std::vector<Leaf> leaves_;
+    std::vector<BoundsTree> trees_;
+    std::vector<std::uint32_t> materials_;
+    Bounds3d surface_bounds_;
+};
+
+/// Flattens a solid: every shape gets its place in the world, every leaf its material (its own, else the nearest
+/// group's above it, else `material`). Errors: InputError for shapes that can't be, singular transforms, and groups
+/// nested more than 1,000 deep.
+std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material);
+
+/// Whether a solid is a flat union whose children may as well be objects of their own (POV-Ray's split_union): a
+/// combined group that is neither inverted nor clipped.
+bool can_be_split(const scene::Solid& solid);
+
+}  // namespace sundog::solids

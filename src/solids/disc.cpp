@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "solids/shape.h"
+
+namespace sundog::solids {
+namespace {
+
+class Disc final : public Shape {
+public:
+    explicit Disc(const scene::Disc& d)
+        : center_(d.center), normal_(normalize(d.normal)), radius_(d.radius), hole_radius_(d.hole_radius) {}
+
+    bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        const double speed = dot(normal_, ray.direction);
+        if (speed == 0) return false;
+        const double t = dot(normal_, center_ - ray.origin) / speed;
+        if (!range.contains(t)) return false;
+        const Vec3d from_center = ray.at(t) - center_;
+        const double squared = dot(from_center, from_center);
+        if (squared > radius_ * radius_ || squared < hole_radius_ * hole_radius_) return false;
+        Crossing c{t};
+        c.toggles = false;
+        out.push_back(c);
+        return false;
+    }
+    [[nodiscard]] bool inside(Vec3d) const override { return false; }
+    [[nodiscard]] Vec3d normal(Vec3d, const Crossing&) const override { return normal_; }
+    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
+        // Along an axis, a circle reaches as far as its radius times the sine between that axis and its normal; in the
+        // shape's own space, then carried.
+        const Vec3d reach = Vec3d{std::sqrt(std::max(0.0, 1 - normal_.x * normal_.x)),
+                                  std::sqrt(std::max(0.0, 1 - normal_.y * normal_.y)),
+                                  std::sqrt(std::max(0.0, 1 - normal_.z * normal_.z))} *
+                            radius_;
+        return transformed(m, {center_ - reach, center_ + reach});
+    }
+    [[nodiscard]] Bounds3d inside_bounds(const Affine3d&) const override { return {}; }
+
+private:
+    Vec3d center_, normal_;
+    double radius_, hole_radius_;
+};
+
+}  // namespace
+
+ShapePointer make_shape(const scene::Disc& disc, const SourceLocation& where) {
+    if (!(dot(disc.normal, disc.normal) > 0)) refuse_shape(where, "a disc's normal must have a direction");
+    return std::make_shared<Disc>(disc);
+}
+
+}  // namespace sundog::solids

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Polynomial surfaces of any order (poly, quadric, cubic, quartic, polynomial).
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "solids/roots.h"
+#include "solids/shape.h"
+
+namespace sundog::solids {
+namespace {
+
+using Powers = std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1>;
+
+/// out[n] = the coefficients of (origin + direction*t)^n, for n up to `order`.
+void powers_of(double origin, double direction, std::size_t order, Powers& out) {
+    out[0][0] = 1;
+    for (std::size_t n = 1; n <= order; ++n) {
+        out[n][0] = out[n - 1][0] * origin;
+        for (std::size_t i = 1; i < n; ++i) out[n][i] = out[n - 1][i] * origin + out[n - 1][i - 1] * direction;
+        out[n][n] = out[n - 1][n - 1] * direction;
+    }
+}
+
+double power(double x, unsigned n) {
+    double result = 1;
+    for (; n > 0; n >>= 1U) {
+        if ((n & 1U) != 0) result *= x;
+        x *= x;
+    }
+    return result;
+}
+
+class Polynomial final : public Shape {
+public:
+    explicit Polynomial(const scene::Polynomial& p) : terms_(p.terms) {
+        std::sort(terms_.begin(), terms_.end(),
+                  [](const Term& a, const Term& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+        for (const Term& t : terms_) order_ = std::max<std::size_t>(order_, std::size_t{t.x} + t.y + t.z);
+    }
+
+    bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        // From the point nearest to the origin, about which such shapes lie, rounding is least.
+        const double t_near =
+            std::clamp(-dot(ray.origin, ray.direction) / dot(ray.direction, ray.direction), range.lower, range.upper);
+        std::array<double, kMaxDegree + 1> along{};
+        const std::span<double> c(along.data(), order_ + 1);
+        expand({ray.at(t_near), ray.direction}, c);
+        RootList roots;
+        if (order_ <= 2) append_quadratic_roots(c, roots);
+        else append_roots(c, range.lower - t_near, range.upper - t_near, roots);
+        const double at_start = evaluate(c, range.lower - t_near);
+        for (const double s : roots) {
+            const double t = order_ > 4 ? polished(ray, t_near + s) : t_near + s;
+            if (range.contains(t)) out.push_back({t});
+        }
+        return at_start < 0;
+    }
+    [[nodiscard]] bool inside(Vec3d p) const override { return value(p) < 0; }
+    [[nodiscard]] Vec3d normal(Vec3d p, const Crossing&) const override {
+        Vec3d gradient;
+        for (const Term& t : terms_) {
+            const double x = power(p.x, t.x);
+            const double y = power(p.y, t.y);
+            const double z = power(p.z, t.z);
+            if (t.x > 0) gradient.x += t.coefficient * t.x * power(p.x, t.x - 1U) * y * z;
+            if (t.y > 0) gradient.y += t.coefficient * t.y * x * power(p.y, t.y - 1U) * z;
+            if (t.z > 0) gradient.z += t.coefficient * t.z * x * y * power(p.z, t.z - 1U);
+        }
+        return gradient;
+    }
+    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, own_bounds()); }
+
+private:
+    using Term = scene::Polynomial::Term;
+
+    [[nodiscard]] double value(Vec3d p) const {
+        double sum = 0;
+        for (const Term& t : terms_) sum += t.coefficient * power(p.x, t.x) * power(p.y, t.y) * power(p.z, t.z);
+        return sum;
+    }
+    /// Coefficients along the ray lose digits at high orders, the polynomial's own do not: two of Newton's steps on it,
+    /// as long as they are small.
+    [[nodiscard]] double polished(const Ray& ray, double t) const {
+        for (int i = 0; i < 2; ++i) {
+            const Vec3d p = ray.at(t);
+            const double slope = dot(normal(p, {}), ray.direction);
+            const double step = -value(p) / slope;
+            if (!(std::abs(step) < 1e-5 * std::abs(t))) break;
+            t += step;
+        }
+        return t;
+    }
+    /// Coefficients of the polynomial along a ray.
+    void expand(const Ray& ray, std::span<double> out) const {
+        if (order_ <= 2) return expand_quadric(ray, out);
+        Powers x;
+        Powers y;
+        Powers z;
+        powers_of(ray.origin.x, ray.direction.x, order_, x);
+        powers_of(ray.origin.y, ray.direction.y, order_, y);
+        powers_of(ray.origin.z, ray.direction.z, order_, z);
+        std::array<double, kMaxDegree + 1> of_z;
+        std::array<double, kMaxDegree + 1> of_xy;
+        for (std::size_t i = 0; i < terms_.size();) {
+            // Terms that share their powers of x and y are summed over z first.
+            const unsigned nx = terms_[i].x;
+            const unsigned ny = terms_[i].y;
+            std::size_t highest = 0;
+            of_z.fill(0);
+            for (; i < terms_.size() && terms_[i].x == nx && terms_[i].y == ny; ++i) {
+                const std::size_t nz = terms_[i].z;
+                highest = std::max(highest, nz);
+                for (std::size_t k = 0; k <= nz; ++k) of_z[k] += terms_[i].coefficient * z[nz][k];
+            }
+            of_xy.fill(0);
+            for (std::size_t a = 0; a <= nx; ++a)
+                for (std::size_t b = 0; b <= ny; ++b) of_xy[a + b] += x[nx][a] * y[ny][b];
+            for (std::size_t a = 0; a <= nx + ny; ++a)
+                for (std::size_t b = 0; b <= highest; ++b) out[a + b] += of_xy[a] * of_z[b];
+        }
+    }
+    void expand_quadric(const Ray& ray, std::span<double> out) const {
+        for (const Term& t : terms_) {
+            // The one or two linear factors of the term.
+            std::array<std::size_t, 2> axes{};
+            std::size_t count = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                for (unsigned n = 0; n < (axis == 0 ? t.x : axis == 1 ? t.y : t.z); ++n) axes[count++] = axis;
+            if (count == 0) {
+                out[0] += t.coefficient;
+            } else if (count == 1) {
+                out[0] += t.coefficient * ray.origin[axes[0]];
+                out[1] += t.coefficient * ray.direction[axes[0]];
+            } else {
+                const double o0 = ray.origin[axes[0]];
+                const double o1 = ray.origin[axes[1]];
+                const double d0 = ray.direction[axes[0]];
+                const double d1 = ray.direction[axes[1]];
+                out[0] += t.coefficient * o0 * o1;
+                out[1] += t.coefficient * (o0 * d1 + o1 * d0);
+                out[2] += t.coefficient * d0 * d1;
+            }
+        }
+    }
+    static void append_quadratic_roots(std::span<const double> c, RootList& roots) {
+        const double a = c.size() > 2 ? c[2] : 0;
+        const double b = c.size() > 1 ? c[1] : 0;
+        if (a == 0) {
+            if (b != 0) roots.push_back(-c[0] / b);
+            return;
+        }
+        const double discriminant = b * b - 4 * a * c[0];
+        if (!(discriminant > 0)) return;
+        const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+        const double s0 = q / a;
+        const double s1 = q != 0 ? c[0] / q : -s0;
+        roots.push_back(std::min(s0, s1));
+        roots.push_back(std::max(s0, s1));
+    }
+    /// An ellipsoid along the axes is finite; others may not be.
+    [[nodiscard]] Bounds3d own_bounds() const {
+        Vec3d square;
+        Vec3d linear;
+        double constant = 0;
+        for (const Term& t : terms_) {
+            const unsigned degree = t.x + t.y + t.z;
+            const std::size_t axis = t.x > 0 ? 0 : t.y > 0 ? 1 : 2;
+            const unsigned exponent = axis == 0 ? t.x : axis == 1 ? t.y : t.z;
+            if (degree > 2 || (degree > 0 && exponent != degree)) return everywhere();
+            (degree == 0 ? constant : degree == 1 ? linear[axis] : square[axis]) = t.coefficient;
+        }
+        if (!(square.x > 0 && square.y > 0 && square.z > 0)) return everywhere();
+        const Vec3d center{-linear.x / (2 * square.x), -linear.y / (2 * square.y), -linear.z / (2 * square.z)};
+        const double level = dot(square, center * center) - constant;
+        if (!(level > 0)) return {};
+        const Vec3d reach{std::sqrt(level / square.x), std::sqrt(level / square.y), std::sqrt(level / square.z)};
+        return {center - reach, center + reach};
+    }
+
+    std::vector<Term> terms_;
+    std::size_t order_ = 1;
+};
+
+}  // namespace
+
+ShapePointer make_shape(const scene::Polynomial& polynomial, const SourceLocation& where) {
+    for (const scene::Polynomial::Term& t : polynomial.terms)
+        if (std::size_t{t.x} + t.y + t.z > kMaxDegree) refuse_shape(where, "a polynomial's order is at most 35");
+    return std::make_shared<Polynomial>(polynomial);
+}
+
+}  // namespace sundog::solids

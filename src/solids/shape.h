@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every exact shape can do, in its own space. Immutable; any number of threads may ask at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "scene/solid.h"
+#include "solids/bounds.h"
+#include "solids/ray.h"
+
+namespace sundog::solids {
+
+class Shape {
+public:
+    Shape() = default;
+    Shape(const Shape&) = delete;
+    Shape& operator=(const Shape&) = delete;
+    virtual ~Shape() = default;
+
+    /// Appends where the ray meets the shape within `range`, by ascending t, and returns whether the ray is inside at
+    /// range.lower. The range is finite at its lower end.
+    virtual bool crossings(const Ray& ray, Range range, CrossingList& out) const = 0;
+    /// Whether a point is inside; never for mere surfaces.
+    [[nodiscard]] virtual bool inside(Vec3d point) const = 0;
+    /// Normal at a crossing, of any length; outward, unless the shape can't tell (then the ray's passage decides).
+    [[nodiscard]] virtual Vec3d normal(Vec3d point, const Crossing& crossing) const = 0;
+    /// A box around the surface and the inside, carried by `m`.
+    [[nodiscard]] virtual Bounds3d bounds(const Affine3d& m) const = 0;
+    /// Boxes around all that is inside, and around all that is not.
+    [[nodiscard]] virtual Bounds3d inside_bounds(const Affine3d& m) const { return bounds(m); }
+    [[nodiscard]] virtual Bounds3d outside_bounds(const Affine3d&) const { return everywhere(); }
+    /// Texture coordinates as POV-Ray's uv_mapping has them (reference, section 3.4.6.7.1); 0 where it has none.
+    [[nodiscard]] virtual std::array<double, 2> uv(Vec3d, const Crossing&) const { return {0, 0}; }
+    /// The material of a part with one of its own (a mesh's triangle), into Scene::materials.
+    [[nodiscard]] virtual std::uint32_t material(const Crossing&) const { return scene::Solid::kInherited; }
+    /// All that material() may give but kInherited.
+    [[nodiscard]] virtual std::vector<std::uint32_t> materials() const { return {}; }
+};
+
+using ShapePointer = std::shared_ptr<const Shape>;
+
+/// The shapes, one file each. Errors: InputError naming `where` for what can't be a shape (too few points, …).
+ShapePointer make_shape(const scene::SolidSphere& sphere, const SourceLocation& where);
+ShapePointer make_shape(const scene::SolidBox& box, const SourceLocation& where);
+ShapePointer make_shape(const scene::SolidCone& cone, const SourceLocation& where);
+ShapePointer make_shape(const scene::HalfSpace& half_space, const SourceLocation& where);
+ShapePointer make_shape(const scene::Torus& torus, const SourceLocation& where);
+ShapePointer make_shape(const scene::Polynomial& polynomial, const SourceLocation& where);
+ShapePointer make_shape(const scene::Disc& disc, const SourceLocation& where);
+
+/// For shapes that can't be: an InputError at `where`.
+[[noreturn]] void refuse_shape(const SourceLocation& where, const std::string& message, const std::string& hint = "");
+
+}  // namespace sundog::solids
