@@ -177,6 +177,7 @@ struct Object {
     bool casts_shadow = true;         ///< no_shadow
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
+    bool double_illuminate = false;   ///< Lit from behind too.
 };
 
 /// Settings that a scene file may fix and the command line may overrule.
@@ -189,6 +190,9 @@ struct Settings {
     std::optional<float> min_weight;  ///< reflThreshold
     std::optional<float> far_z;
     bool cull_backfaces = false;
+    /// Exponent from the scene's colours and the radiance computed with them to linear light (POV-Ray's assumed_gamma,
+    /// its reference, section 3.4.1.3): a picture's pixels are the computed ones to this power.
+    float working_gamma = 1;
 };
 
 /// Fog of constant density (distance: where it lets 1/e through), or thinning out upwards from `offset` over

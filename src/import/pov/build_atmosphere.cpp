@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "import/pov/build_atmosphere.h"
+
+#include <algorithm>
+#include <array>
+
+#include "import/pov/build_pigment.h"
+#include "import/pov/build_transform.h"
+
+namespace sundog::pov {
+namespace {
+
+Vec3 rgb_of(const scene::PigmentColor& c) { return {c.r, c.g, c.b}; }
+
+scene::Fog fog_of(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    scene::Fog fog;
+    const auto number = [&](std::string_view what) { return static_cast<float>(items.number(what)); };
+    while (!items.at_end()) {
+        Affine3d moved;
+        if (const auto base = items.take_block(Keyword::fog)) {
+            fog = fog_of(context, *base);
+        } else if (items.take(Keyword::fog_type)) {
+            fog.ground = items.integer("a fog_type", 1, 2) == 2;
+        } else if (items.take(Keyword::distance)) {
+            fog.distance = number("a distance");
+        } else if (items.take(Keyword::fog_offset)) {
+            fog.offset = number("an offset");
+        } else if (items.take(Keyword::fog_alt)) {
+            fog.altitude = number("an altitude");
+        } else if (items.take(Keyword::up)) {
+            fog.up = to_float(normalize(items.vector("a direction upwards")));
+        } else if (items.take(Keyword::turbulence)) {
+            if (length(items.vector("an amount of turbulence")) > 0)
+                context.warn_once("fog turbulence", items.taken_where(), "turbulence of fog isn't drawn yet");
+        } else if (items.take(Keyword::octaves) || items.take(Keyword::lambda) || items.take(Keyword::omega) ||
+                   items.take(Keyword::turb_depth)) {
+            items.number("a number");
+        } else if (items.value_follows()) {
+            fog.color = items.color("a color");
+        } else if (read_transform(items, moved)) {
+            fog.up = to_float(normalize(transform_vector(moved, to_double(fog.up))));
+        } else {
+            static constexpr std::array kValid{
+                Keyword::fog_type,   Keyword::distance, Keyword::fog_offset, Keyword::fog_alt, Keyword::up,
+                Keyword::turbulence, Keyword::octaves,  Keyword::lambda,     Keyword::omega,   Keyword::turb_depth};
+            items.unexpected(kValid);
+        }
+    }
+    return fog;
+}
+
+scene::SkySphere sky_sphere_of(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    scene::SkySphere sky;
+    Affine3d world_from_sky;
+    while (!items.at_end()) {
+        if (const auto base = items.take_block(Keyword::sky_sphere)) {
+            sky = sky_sphere_of(context, *base);
+        } else if (const auto pigment = items.take_block(Keyword::pigment)) {
+            sky.pigments.push_back(std::make_shared<const scene::Pigment>(read_pigment(context, *pigment, {})));
+        } else if (items.take(Keyword::emission)) {
+            sky.emission = items.color("a color");
+        } else if (!read_transform(items, world_from_sky)) {
+            static constexpr std::array kValid{Keyword::pigment, Keyword::emission, Keyword::rotate,
+                                               Keyword::scale,   Keyword::matrix,   Keyword::transform};
+            items.unexpected(kValid);
+        }
+    }
+    sky.sky_from_world = sky.sky_from_world * inverse(world_from_sky);
+    return sky;
+}
+
+/// Settings of what isn't drawn yet, or makes no difference to how Sundog computes.
+constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves,
+                                           Keyword::noise_generator,   Keyword::mm_per_unit,
+                                           Keyword::irid_wavelength,   Keyword::hf_gray_16};
+
+}  // namespace
+
+void read_background(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    while (!items.at_end()) {
+        if (const auto base = items.take_block(Keyword::background)) {
+            read_background(context, *base);
+        } else if (!items.take(Keyword::color)) {
+            context.scene.sky = rgb_of(items.color("a color"));
+        }
+    }
+}
+
+void read_fog(BuildContext& context, const Block& block) {
+    const scene::Fog fog = fog_of(context, block);
+    if (fog.distance > 0) {
+        context.scene.fogs.push_back(fog);
+    } else {
+        context.warn(block.where, "a fog without distance; left out");
+    }
+}
+
+void read_sky_sphere(BuildContext& context, const Block& block) {
+    context.scene.sky_spheres.push_back(sky_sphere_of(context, block));
+}
+
+void read_global_settings(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    scene::Scene& scene = context.scene;
+    while (!items.at_end()) {
+        if (items.take_block(Keyword::radiosity)) {
+            context.warn_once("radiosity", items.taken_where(), "radiosity isn't drawn yet");
+        } else if (items.take_block(Keyword::photons)) {
+            context.warn_once("photons", items.taken_where(), "photons aren't drawn yet");
+        } else if (items.take_block(Keyword::subsurface)) {
+            context.warn_once("subsurface", items.taken_where(), "light below surfaces isn't drawn yet");
+        } else if (items.take(Keyword::assumed_gamma)) {
+            const double gamma = items.take(Keyword::srgb) ? kLegacyGamma : items.number("a gamma");
+            if (!(gamma > 0)) items.fail("an assumed_gamma that is not positive", "expected 1.0, 2.2 or srgb");
+            context.color_space.assumed_gamma = gamma;
+        } else if (items.take(Keyword::adc_bailout)) {
+            scene.settings.min_weight = static_cast<float>(items.number("a weight"));
+        } else if (items.take(Keyword::max_trace_level)) {
+            scene.settings.max_depth = items.integer("a level", 1, 256);
+        } else if (items.take(Keyword::ambient_light)) {
+            scene.ambient = rgb_of(items.color("a color"));
+        } else if (items.take(Keyword::charset)) {
+            if (!items.take(Keyword::ascii) && !items.take(Keyword::utf8) && !items.take(Keyword::sys))
+                items.unexpected("ascii, utf8 or sys");
+        } else {
+            const std::optional<Keyword> keyword = items.peek_keyword();
+            if (!keyword || std::find(kNumbersWithoutEffect.begin(), kNumbersWithoutEffect.end(), *keyword) ==
+                                kNumbersWithoutEffect.end()) {
+                static constexpr std::array kValid{
+                    Keyword::adc_bailout,     Keyword::ambient_light,   Keyword::assumed_gamma,
+                    Keyword::charset,         Keyword::irid_wavelength, Keyword::max_intersections,
+                    Keyword::max_trace_level, Keyword::mm_per_unit,     Keyword::noise_generator,
+                    Keyword::number_of_waves, Keyword::photons,         Keyword::radiosity,
+                    Keyword::subsurface,      Keyword::hf_gray_16};
+                items.unexpected(kValid);
+            }
+            items.skip();
+            if (items.value_follows()) items.skip();
+        }
+    }
+}
+
+}  // namespace sundog::pov

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cameras (POV-Ray reference, section 3.4.2 "Camera").
+#pragma once
+
+#include "import/pov/build_items.h"
+#include "scene/scene.h"
+
+namespace sundog::pov {
+
+/// A camera while its vectors still depend on what follows.
+struct CameraParts {
+    scene::ProjectionCamera camera{
+        scene::ProjectionCamera::Kind::perspective, {}, {}, {0, 0, 1}, {1.33, 0, 0}, {0, 1, 0}, 0, 0, 1};
+    Vec3d sky{0, 1, 0};
+};
+
+/// The camera of a `camera { }`, with look_at, angle and transformations worked into its vectors.
+CameraParts read_camera(BuildContext& context, const Block& block, CameraParts start = {});
+
+}  // namespace sundog::pov

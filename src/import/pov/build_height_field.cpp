@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Height fields (POV-Ray reference, section 3.4.5.1.5 "Height Field").
+#include <algorithm>
+#include <cmath>
+
+#include "import/pov/build_image.h"
+#include "import/pov/build_shape.h"
+#include "output/image.h"
+#include "scene/files.h"
+
+namespace sundog::pov {
+namespace {
+
+/// The number that a file of sRGB pixels stores, 0 to 1, from its linear value.
+double stored(float linear) {
+    return linear <= 0.0031308F ? linear * 12.92 : 1.055 * std::pow(static_cast<double>(linear), 1 / 2.4) - 0.055;
+}
+
+/// Heights of an image: its grey, or 256 * red + green where it has colours.
+scene::HeightField heights_of(const output::Image& image) {
+    const bool gray =
+        std::all_of(image.pixels.begin(), image.pixels.end(), [](Vec3 p) { return p.x == p.y && p.y == p.z; });
+    auto heights = std::make_shared<std::vector<float>>();
+    heights->reserve(image.pixels.size());
+    for (const Vec3 p : image.pixels) {
+        const double height = gray ? stored(p.x) : (stored(p.x) * 256 + stored(p.y)) / 257;
+        heights->push_back(static_cast<float>(height));
+    }
+    scene::HeightField field;
+    field.width = static_cast<std::uint32_t>(image.width);
+    field.height = static_cast<std::uint32_t>(image.height);
+    field.heights = std::move(heights);
+    return field;
+}
+
+/// `function Width, Height { … }`: its values at the pixels' centers, x and y from 0 to 1, y upwards.
+NodeShape heights_of_function(ItemReader& items) {
+    constexpr int kMostPixels = 16384;
+    const int width = items.integer("a width in pixels", 2, kMostPixels);
+    const int height = items.integer("a height in pixels", 2, kMostPixels);
+    const std::shared_ptr<const FunctionExpression> function = items.take_function();
+    if (!function) items.unexpected("a function");
+    auto heights = std::make_shared<std::vector<float>>();
+    std::uint64_t budget = items.context().options.limits.steps;
+    for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column) {
+            const std::array<double, 3> at{(column + 0.5) / width, 1 - (row + 0.5) / height, 0};
+            const std::size_t count = std::min<std::size_t>(3, std::max<std::size_t>(2, parameter_count(*function)));
+            const Value value = evaluate(*function, {at.data(), count}, nullptr, budget);
+            heights->push_back(static_cast<float>(std::clamp(value.v[0], 0.0, 1.0)));
+        }
+    }
+    return scene::HeightField{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), std::move(heights),
+                              false, 0};
+}
+
+}  // namespace
+
+NodeShape read_height_field(ObjectReader& objects, ItemReader& items) {
+    BuildContext& context = objects.context();
+    if (items.take(Keyword::function)) return heights_of_function(items);
+    for (const Keyword kind : {Keyword::iff, Keyword::pot})
+        if (items.take(kind)) break;
+    const ImageName name = read_image_name(items);
+    const std::filesystem::path file = context.find_file(name.name, name.where);
+    if (file.empty()) {
+        context.warn(name.where, "missing image file '" + name.name + "', its height_field is left out",
+                     context.why_not_found(name.name, name.where));
+        return {};
+    }
+    try {
+        const output::Image image = output::read_image(file);
+        scene::add_file(context.scene, file);
+        if (image.width >= 2 && image.height >= 2) return heights_of(image);
+        context.warn(name.where, "image file '" + name.name + "' has less than 2 by 2 pixels; height_field left out");
+    } catch (const InputError& error) {
+        context.warn(name.where,
+                     "image file '" + name.name + "': " + error.diagnostic().message + "; height_field left out");
+    }
+    return {};
+}
+
+}  // namespace sundog::pov

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "import/pov/build_materials.h"
+
+#include <algorithm>
+
+namespace sundog::pov {
+namespace {
+
+/// True if moving the texture changes how it looks: some layer's pigment follows space, not uv coordinates.
+bool follows_space(const scene::LayeredTexture& texture) {
+    return std::any_of(texture.layers.begin(), texture.layers.end(), [](const scene::TextureLayer& layer) {
+        return layer.pigment->kind != scene::Pigment::Kind::solid && !layer.pigment->uv_mapping;
+    });
+}
+
+template <class T>
+void append_bytes(std::string& key, const T& value) {
+    key.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+}  // namespace
+
+scene::Index MaterialTable::append(const TexturePointer& texture, const Affine3d& world_from_texture,
+                                   const InteriorPointer& interior) {
+    scene::Material material;
+    material.name = "texture";
+    material.where = texture->layers.front().pigment->where;
+    material.patterned = scene::PatternedSurface{texture, inverse(world_from_texture), {}};
+    if (interior) material.patterned->interior = *interior;
+    scene_.materials.push_back(std::move(material));
+    return static_cast<scene::Index>(scene_.materials.size() - 1);
+}
+
+scene::Index MaterialTable::of(const TexturePointer& texture, const Affine3d& world_from_texture,
+                               const InteriorPointer& interior) {
+    if (texture.get() == last_texture_ && interior.get() == last_interior_) return last_;
+    const bool follows = follows_space(*texture);
+    const Affine3d placed = follows ? world_from_texture : Affine3d{};
+    std::string key;
+    append_bytes(key, texture.get());
+    append_bytes(key, interior.get());
+    if (follows) append_bytes(key, placed);
+    const auto [known, is_new] = known_.try_emplace(std::move(key), 0);
+    if (is_new) known->second = append(texture, placed, interior);
+    if (!follows) last_texture_ = texture.get(), last_interior_ = interior.get(), last_ = known->second;
+    return known->second;
+}
+
+}  // namespace sundog::pov

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene's materials, one for each texture and place that it lies in.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+
+#include "import/pov/build_texture.h"
+#include "scene/scene.h"
+
+namespace sundog::pov {
+
+/// Makes materials of textures. Textures that look the same everywhere share one, wherever they are used.
+class MaterialTable {
+public:
+    explicit MaterialTable(scene::Scene& scene) : scene_(scene) {}
+
+    /// The material of a texture that lies in the world as `world_from_texture` says. A null interior is air's.
+    scene::Index of(const TexturePointer& texture, const Affine3d& world_from_texture, const InteriorPointer& interior);
+
+private:
+    scene::Index append(const TexturePointer& texture, const Affine3d& world_from_texture,
+                        const InteriorPointer& interior);
+
+    scene::Scene& scene_;
+    std::unordered_map<std::string, scene::Index> known_;
+    const scene::LayeredTexture* last_texture_ = nullptr;  // Of the last material that is the same everywhere.
+    const scene::Interior* last_interior_ = nullptr;
+    scene::Index last_ = 0;
+};
+
+}  // namespace sundog::pov

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "import/pov/build_pigment.h"
+
+#include <algorithm>
+#include <array>
+
+#include "import/pov/build_image.h"
+
+namespace sundog::pov {
+namespace {
+
+using scene::Pigment;
+using scene::PigmentColor;
+using scene::PigmentEntry;
+
+/// What choices have where entries are left out, as pictures of povray 3.7 show it.
+PigmentColor default_choice(scene::Pattern::Kind kind, std::size_t index) {
+    constexpr PigmentColor kRed{1, 0, 0, 0, 0}, kGreen{0, 1, 0, 0, 0}, kBlue{0, 0, 1, 0, 0}, kYellow{1, 1, 0, 0, 0},
+        kCyan{0, 1, 1, 0, 0}, kMagenta{1, 0, 1, 0, 0}, kMortar{0.5F, 0.5F, 0.5F, 0, 0},
+        kBrick{0.6F, 0.15F, 0.15F, 0, 0};
+    constexpr std::array kTiles{kBlue, kGreen, kRed};
+    constexpr std::array kSides{kRed, kGreen, kBlue, kYellow, kCyan, kMagenta};
+    if (kind == scene::Pattern::Kind::brick) return index == 0 ? kMortar : kBrick;
+    const bool few = kind == scene::Pattern::Kind::checker || kind == scene::Pattern::Kind::hexagon;
+    return few ? kTiles[index % kTiles.size()] : kSides[index % kSides.size()];
+}
+
+std::shared_ptr<const Pigment> read_shared(BuildContext& context, const Block& block) {
+    return std::make_shared<const Pigment>(read_pigment(context, block, {}));
+}
+
+/// `[0.3 rgb 1]`, `[0.3 pigment items]` or the older `[0.3 0.5 color A color B]`.
+void read_row(BuildContext& context, const Row& row, Keyword map, PigmentEntries& entries) {
+    ItemReader items(context, row, map);
+    const auto at = static_cast<float>(items.number("the place of a color in its map"));
+    if (map == Keyword::pigment_map) {
+        const auto rest = std::make_shared<Block>();
+        rest->keyword = Keyword::pigment;
+        rest->where = row.where;
+        rest->items.assign(row.items.begin() + 1, row.items.end());
+        entries.push_back({at, {}, read_shared(context, *rest)});
+        return;
+    }
+    if (!items.number_follows()) {
+        entries.push_back({at, items.color("a color"), nullptr});
+    } else {
+        const double second = items.number("a color");
+        if (items.at_end()) {  // [0.3 0.5]: a grey in every component
+            const auto gray = static_cast<float>(second);
+            entries.push_back({at, {gray, gray, gray, gray, gray}, nullptr});
+        } else {
+            entries.push_back({at, items.color("a color"), nullptr});
+            const PigmentColor end = items.at_end() ? entries.back().color : items.color("a color");
+            entries.push_back({static_cast<float>(second), end, nullptr});
+        }
+    }
+    if (!items.at_end()) items.unexpected("']'");
+}
+
+PigmentEntries read_map(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    PigmentEntries entries;
+    while (!items.at_end()) {
+        if (const auto base = items.take_block(block.keyword)) {
+            entries = read_map(context, *base);
+        } else if (const auto row = items.take_row()) {
+            read_row(context, *row, block.keyword, entries);
+        } else {
+            items.unexpected("a row in square brackets");
+        }
+    }
+    if (entries.empty()) context.fail(block.where, "a map without entries", "expected [place color]");
+    sort_entries(entries);
+    return entries;
+}
+
+/// The colours or pigments that follow a pattern which chooses among them.
+PigmentEntries read_choices(ItemReader& items, std::size_t count) {
+    PigmentEntries entries;
+    while (entries.size() < count) {
+        if (items.value_follows()) {
+            entries.push_back({0, items.color("a color"), nullptr});
+        } else if (const auto block = items.take_block(Keyword::pigment)) {
+            entries.push_back({0, {}, read_shared(items.context(), *block)});
+        } else {
+            break;
+        }
+    }
+    return entries;
+}
+
+class PigmentReader {
+public:
+    PigmentReader(BuildContext& context, const Block& block, Pigment start)
+        : context_(context), block_(block), items_(context, block), pigment_(std::move(start)) {}
+
+    Pigment read() {
+        pigment_.where = context_.location(block_.where);
+        while (!items_.at_end()) read_item();
+        finish();
+        return std::move(pigment_);
+    }
+
+private:
+    void read_item() {
+        if (items_.value_follows()) {
+            pigment_.kind = Pigment::Kind::solid;
+            pigment_.color = items_.color("a color");
+        } else if (const auto base = items_.take_block(Keyword::pigment)) {
+            pigment_ = read_pigment(context_, *base, std::move(pigment_));
+            parts_.pattern = pigment_.pattern;
+        } else if (const auto image = items_.take_block(Keyword::image_map)) {
+            pigment_.image = read_image_map(context_, *image);
+            pigment_.kind = Pigment::Kind::image;
+        } else if (!read_map_block() && !read_object_pattern() && !read_keyword()) {
+            unexpected();
+        }
+    }
+
+    bool read_map_block() {
+        for (const Keyword keyword : {Keyword::color_map, Keyword::pigment_map}) {
+            if (const auto map = items_.take_block(keyword)) {
+                pigment_.entries = read_map(context_, *map);
+                map_given_ = true;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// pigment { object { Thing colour outside, colour inside } }
+    bool read_object_pattern() {
+        const auto block = items_.take_block(Keyword::object);
+        if (!block) return false;
+        ItemReader inside(context_, *block);
+        inside.take_block();
+        PigmentEntries choices = read_choices(inside, 2);
+        context_.warn_once("pattern object", block->where, "pattern 'object' isn't drawn yet",
+                           "its surfaces get one colour of its list");
+        parts_.pattern.kind = scene::Pattern::Kind::object;
+        set_choices(std::move(choices), 2);
+        return true;
+    }
+
+    bool read_keyword() {
+        if (items_.take(Keyword::quick_color)) {
+            pigment_.quick_color = items_.color("a color");
+            return true;
+        }
+        if (items_.take(Keyword::uv_mapping)) {
+            pigment_.uv_mapping = items_.flag();
+            return true;
+        }
+        if (items_.take(Keyword::color)) return true;
+        if (pigment_.kind == Pigment::Kind::image && read_image_modifier(items_, pigment_.image)) return true;
+        const bool pattern_before = parts_.given;
+        parts_.given = false;
+        const bool taken = read_pattern_item(items_, parts_);
+        if (taken && parts_.given) take_pattern();
+        parts_.given |= pattern_before;
+        return taken;
+    }
+
+    void take_pattern() {
+        const std::size_t count = choice_count(parts_.pattern.kind);
+        if (count == 0) {
+            if (pigment_.kind == Pigment::Kind::choice) pigment_.entries.clear();
+            pigment_.kind = Pigment::Kind::mapped;
+            return;
+        }
+        set_choices(read_choices(items_, count), count);
+    }
+
+    void set_choices(PigmentEntries choices, std::size_t count) {
+        while (choices.size() < count)
+            choices.push_back({0, default_choice(parts_.pattern.kind, choices.size()), nullptr});
+        pigment_.entries = std::move(choices);
+        pigment_.kind = Pigment::Kind::choice;
+    }
+
+    void finish() {
+        pigment_.pattern = parts_.pattern;
+        if (map_given_ && pigment_.kind == Pigment::Kind::solid)
+            context_.fail(block_.where, "a map without a pattern", "expected a pattern such as gradient or bozo");
+        if (pigment_.kind == Pigment::Kind::mapped && pigment_.entries.empty())
+            pigment_.entries = {{0, {0, 0, 0, 0, 0}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
+        move_pigment(pigment_, inverse(parts_.texture_from_pattern));
+    }
+
+    [[noreturn]] void unexpected() {
+        static constexpr std::array kValid{
+            Keyword::color_map, Keyword::pigment_map, Keyword::image_map,  Keyword::quick_color, Keyword::checker,
+            Keyword::hexagon,   Keyword::brick,       Keyword::square,     Keyword::triangular,  Keyword::gradient,
+            Keyword::frequency, Keyword::phase,       Keyword::turbulence, Keyword::uv_mapping,  Keyword::translate,
+            Keyword::rotate,    Keyword::scale,       Keyword::matrix,     Keyword::warp};
+        items_.unexpected(kValid, "a color, a pattern or a pattern's modifier");
+    }
+
+    BuildContext& context_;
+    const Block& block_;
+    ItemReader items_;
+    Pigment pigment_;
+    PatternParts parts_{pigment_.pattern, false, {}};
+    bool map_given_ = false;
+};
+
+}  // namespace
+
+void sort_entries(PigmentEntries& entries) {
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const PigmentEntry& a, const PigmentEntry& b) { return a.at < b.at; });
+}
+
+void move_pigment(Pigment& pigment, const Affine3d& old_from_new) {
+    if (pigment.kind == Pigment::Kind::solid || old_from_new == Affine3d{}) return;
+    pigment.pattern.pattern_from_texture = pigment.pattern.pattern_from_texture * old_from_new;
+    pigment.image.pattern_from_texture = pigment.image.pattern_from_texture * old_from_new;
+    for (PigmentEntry& entry : pigment.entries) {
+        if (!entry.pigment || !is_positional(*entry.pigment)) continue;
+        auto moved = std::make_shared<Pigment>(*entry.pigment);
+        move_pigment(*moved, old_from_new);
+        entry.pigment = std::move(moved);
+    }
+}
+
+bool is_positional(const Pigment& pigment) { return pigment.kind != Pigment::Kind::solid; }
+
+Pigment read_pigment(BuildContext& context, const Block& block, Pigment start) {
+    return PigmentReader(context, block, std::move(start)).read();
+}
+
+}  // namespace sundog::pov

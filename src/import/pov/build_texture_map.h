@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures chosen or blended by a pattern (POV-Ray reference, sections 3.4.6.5.1 "Texture Maps" and 3.4.6.5.2 "Tiles").
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "import/pov/build_context.h"
+#include "scene/pigment.h"
+
+namespace sundog::pov {
+
+/// A texture in a map: where it stands, or which choice it is.
+struct TextureEntry {
+    float at = 0;
+    std::shared_ptr<const scene::LayeredTexture> texture;
+};
+
+/// The map as layers of mapped pigments. Exact where all entries have the same finish; else the layer gets the mean of
+/// its entries' finishes, with one warning a scene.
+scene::LayeredTexture blend_textures(BuildContext& context, Place where, const scene::Pattern& pattern,
+                                     const std::vector<TextureEntry>& entries);
+
+}  // namespace sundog::pov
