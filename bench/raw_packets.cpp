@@ -58,22 +58,22 @@ template <>
 struct Packets<4> {
     using RayHits = RTCRayHit4;
     using Rays = RTCRay4;
-    static constexpr auto* kIntersect = rtcIntersect4;
-    static constexpr auto* kOccluded = rtcOccluded4;
+    [[maybe_unused]] static constexpr auto* kIntersect = rtcIntersect4;
+    [[maybe_unused]] static constexpr auto* kOccluded = rtcOccluded4;
 };
 template <>
 struct Packets<8> {
     using RayHits = RTCRayHit8;
     using Rays = RTCRay8;
-    static constexpr auto* kIntersect = rtcIntersect8;
-    static constexpr auto* kOccluded = rtcOccluded8;
+    [[maybe_unused]] static constexpr auto* kIntersect = rtcIntersect8;
+    [[maybe_unused]] static constexpr auto* kOccluded = rtcOccluded8;
 };
 template <>
 struct Packets<16> {
     using RayHits = RTCRayHit16;
     using Rays = RTCRay16;
-    static constexpr auto* kIntersect = rtcIntersect16;
-    static constexpr auto* kOccluded = rtcOccluded16;
+    [[maybe_unused]] static constexpr auto* kIntersect = rtcIntersect16;
+    [[maybe_unused]] static constexpr auto* kOccluded = rtcOccluded16;
 };
 using RayHits = Packets<kLanes>::RayHits;
 using Rays = Packets<kLanes>::Rays;
@@ -146,7 +146,7 @@ void locate(const RayHits& packet, const Mask& mask, Surfaces& s) {
 void shadow_rays(const RawView& view, const Surfaces& s, RawCounts& counts) {
     for (std::uint32_t l = 0; l < view.frame.light_count; ++l) {
         const kernel::Light& light = view.lights[l];
-        if (light.casts_shadows == 0U) continue;
+        if ((light.flags & kernel::LIGHT_SHADOWS) == 0U) continue;
         const bool sun = light.kind == kernel::LIGHT_SUN;
         alignas(64) Rays shadow;
         Mask lit;

@@ -7,6 +7,7 @@
 #include "compile/convert.h"
 #include "compile/material.h"
 #include "compile/mesh.h"
+#include "compile/patterns.h"
 #include "compile/solid.h"
 #include "solids/compiled_solid.h"
 
@@ -37,10 +38,12 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
 }
 
 void compile_materials(const scene::Scene& scene, RenderScene& out) {
+    PatternCompiler patterns(scene, out);
     for (const scene::Material& m : scene.materials) {
-        out.materials.push_back(compile_material(m, scene.textures));
+        out.materials.push_back(m.patterned ? patterns.compile_surface(m) : compile_material(m, scene.textures));
         out.material_names.push_back(m.name);
     }
+    patterns.compile_sky();
     if (out.materials.empty()) {
         out.materials.push_back(compile_material(scene::Material{}, {}));
         out.material_names.emplace_back("default");
@@ -70,25 +73,25 @@ public:
     kernel::Geometry operator()(const scene::Mesh& mesh) {
         const auto first = static_cast<std::uint32_t>(out_.triangles.size());
         const std::uint32_t count = append_mesh(object_, mesh, attributes_, out_, warn_);
-        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE};
+        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0};
     }
     kernel::Geometry operator()(const scene::Sphere& sphere) {
         if (!(sphere.radius > 0)) return none("a sphere of no radius");
         out_.spheres.push_back({to_kernel(sphere.center), sphere.radius, object_.material});
-        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE};
+        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0};
     }
     kernel::Geometry operator()(const scene::Box& box) {
         const Vec3 size = box.upper - box.lower;
         if (!(size.x >= 0 && size.y >= 0 && size.z >= 0)) return none("a box whose corners are the wrong way round");
         out_.boxes.push_back({to_kernel(box.lower), to_kernel(box.upper), object_.material});
-        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE};
+        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0};
     }
     kernel::Geometry operator()(const scene::Plane& plane) {
         const float len = length(plane.normal);
         if (!(len > 0)) return none("a plane whose normal has no direction");
         out_.planes.push_back({to_kernel(plane.normal / len), plane.offset / len, object_.material,
                                static_cast<std::uint32_t>(out_.geometries.size())});
-        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE};
+        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0};
     }
     /// Solids are append_solid's.
     kernel::Geometry operator()(const std::shared_ptr<const scene::Solid>&) { return none("a solid"); }
@@ -102,7 +105,7 @@ private:
         if (warn_)
             warn_(
                 {Severity::warning, object_.where, "object '" + object_.name + "' is " + what + "; left out", "", ""});
-        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE};
+        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE, 0};
     }
 
     const scene::Object& object_;
@@ -111,10 +114,10 @@ private:
     const WarningSink& warn_;
 };
 
-/// Which rays see an object.
-std::uint32_t visible_to(const scene::Object& object) {
-    return (object.seen_by_camera ? kernel::RAY_CAMERA : 0U) |
-           (object.seen_in_reflections ? kernel::RAY_REFLECTED : 0U) | (object.casts_shadow ? kernel::RAY_SHADOW : 0U);
+/// Which rays don't see an object.
+std::uint32_t hidden_from(const scene::Object& object) {
+    return (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
+           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW);
 }
 
 /// Lists the geometries of the scene's objects.
@@ -125,10 +128,10 @@ public:
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
         if (object.motion) geometry.instance = instance_count_++;
+        geometry.hidden_from = hidden_from(object);
         out_.geometries.push_back(geometry);
         out_.geometry_names.push_back(object.name);
         out_.geometry_objects.push_back(object_);
-        out_.geometry_visible_to.push_back(visible_to(object));
     }
     void add(const SolidPart& part, const scene::Object& object) {
         if (part.solid)
@@ -147,7 +150,7 @@ private:
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
                last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
-               out_.geometry_visible_to.back() == visible_to(object);
+               last.hidden_from == hidden_from(object);
     }
 
     RenderScene& out_;
@@ -194,10 +197,12 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
 
     std::uint32_t features = 0;
     for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) features |= material_features(scene.materials[i]);
+        if (used[i]) features |= material_features(scene.materials[i]) | pattern_features(scene, scene.materials[i]);
     if (attributes.normals && !scene.triangles.empty()) features |= kernel::FEATURE_SMOOTH;
     if (!scene.spheres.empty() || !scene.boxes.empty() || !scene.planes.empty() || !scene.solids.empty())
         features |= kernel::FEATURE_ANALYTIC;
+    for (const kernel::Geometry& g : scene.geometries)
+        if (g.hidden_from != 0) features |= kernel::FEATURE_HIDDEN;
     if (moving) features |= kernel::FEATURE_INSTANCES;
     return features;
 }

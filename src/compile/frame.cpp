@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "compile/compile.h"
 #include "compile/convert.h"
+#include "compile/lights.h"
 
 namespace sundog {
 namespace {
@@ -17,18 +19,6 @@ constexpr float kNoFarClip = std::numeric_limits<float>::infinity();
 template <class T>
 T choose(const std::optional<T>& option, const std::optional<T>& setting, T fallback) {
     return option ? *option : setting.value_or(fallback);
-}
-
-kernel::Light light_at(const scene::Light& light, float time_s) {
-    Vec3 place = scene::place_at(light, time_s);
-    const bool sun = light.kind == scene::Light::Kind::sun;
-    if (sun) {
-        place = normalize(place);
-        // A moving sun may pass through the origin, where it has no direction; straight above is as good as any.
-        if (place == Vec3{}) place = {0, 0, 1};
-    }
-    return {to_kernel(place), to_kernel(light.color), sun ? kernel::LIGHT_SUN : kernel::LIGHT_LAMP,
-            light.shadows ? 1U : 0U};
 }
 
 kernel::Instance instance_of(const Affine3& world_from_object) {
@@ -58,6 +48,35 @@ std::uint32_t plane_count_of(const RenderScene& compiled) {
     return planes;
 }
 
+std::uint32_t sky_layer_count(const scene::Scene& scene) {
+    std::size_t count = 0;
+    for (const scene::SkySphere& sky : scene.sky_spheres) count += sky.pigments.size();
+    return static_cast<std::uint32_t>(count);
+}
+
+std::uint32_t kernel_camera_kind(const scene::ProjectionCamera& camera) {
+    using Kind = scene::ProjectionCamera::Kind;
+    switch (camera.kind) {
+        case Kind::perspective:
+            return kernel::CAMERA_PERSPECTIVE;
+        case Kind::orthographic:
+            return kernel::CAMERA_ORTHOGRAPHIC;
+        case Kind::fisheye:
+            return kernel::CAMERA_FISHEYE;
+        case Kind::ultra_wide_angle:
+            return kernel::CAMERA_ULTRA_WIDE_ANGLE;
+        case Kind::omnimax:
+            return kernel::CAMERA_OMNIMAX;
+        case Kind::panoramic:
+            return kernel::CAMERA_PANORAMIC;
+        case Kind::cylinder:
+            return kernel::CAMERA_CYLINDER + static_cast<std::uint32_t>(camera.cylinder_type - 1);
+        case Kind::spherical:
+            return kernel::CAMERA_SPHERICAL;
+    }
+    return kernel::CAMERA_PERSPECTIVE;
+}
+
 }  // namespace
 
 kernel::Camera camera_at(const scene::OrbitCamera& camera, float time_s, float aspect) {
@@ -71,6 +90,33 @@ kernel::Camera camera_at(const scene::OrbitCamera& camera, float time_s, float a
     return out;
 }
 
+namespace {
+
+/// The caller's camera, or the scene's: the one placed by vectors, else the orbiting one.
+void set_camera(const scene::Scene& scene, const FrameOptions& options, float time_s, kernel::FrameParams& params) {
+    params.camera_kind = kernel::CAMERA_PERSPECTIVE;
+    if (options.camera) {
+        params.camera = *options.camera;
+    } else if (scene.projection_camera) {
+        const scene::ProjectionCamera& camera = *scene.projection_camera;
+        params.camera = {to_kernel(to_float(camera.location)), to_kernel(to_float(camera.direction)),
+                         to_kernel(to_float(camera.right * 0.5)), to_kernel(to_float(camera.up * 0.5))};
+        params.camera_kind = kernel_camera_kind(camera);
+        params.camera_angle = radians(static_cast<float>(camera.angle_deg));
+        params.camera_vertical_angle = radians(static_cast<float>(camera.vertical_angle_deg));
+    } else {
+        params.camera =
+            camera_at(scene.camera, time_s, static_cast<float>(params.width) / static_cast<float>(params.height));
+    }
+}
+
+/// What lights other than plain lamps and suns need.
+bool has_shape(const kernel::Light& light) {
+    return light.kind == kernel::LIGHT_SPOT || light.kind == kernel::LIGHT_CYLINDER || light.fade_power > 0;
+}
+
+}  // namespace
+
 Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const FrameOptions& options) {
     const scene::Settings& settings = scene.settings;
     const float time_s = settings.freeze_s.value_or(options.time_s);
@@ -79,9 +125,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     kernel::FrameParams& params = frame.params;
     params.width = static_cast<std::uint32_t>(choose(options.width, settings.width, kDefaultWidth));
     params.height = static_cast<std::uint32_t>(choose(options.height, settings.height, kDefaultHeight));
-    params.camera = options.camera ? *options.camera
-                                   : camera_at(scene.camera, time_s,
-                                               static_cast<float>(params.width) / static_cast<float>(params.height));
+    set_camera(scene, options, time_s, params);
     params.ambient = to_kernel(scene.ambient);
     params.sky = to_kernel(scene.sky);
     params.max_depth = static_cast<std::uint32_t>(choose(options.max_depth, settings.max_depth, kDefaultMaxDepth));
@@ -95,11 +139,16 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
         frame.lights.push_back(light_at(light, time_s));
         some_light_casts_shadows = some_light_casts_shadows || light.shadows;
     }
+    params.fog_count = static_cast<std::uint32_t>(scene.fogs.size());
+    params.sky_layer_count = sky_layer_count(scene);
     params.light_count = static_cast<std::uint32_t>(frame.lights.size());
     if (frame.lights.empty()) frame.lights.resize(1);
     frame.instances = instances_at(scene, compiled, time_s);
 
     params.features = compiled.features;
+    if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
+        params.features |= kernel::FEATURE_LIGHT_SHAPES;
+    if (params.fog_count > 0 || params.sky_layer_count > 0) params.features |= kernel::FEATURE_ATMOSPHERE;
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;

@@ -109,7 +109,7 @@ TEST(CompileSolid, RunsOfNamelessPrimitivesAreOneGeometry) {
     EXPECT_EQ(50U, compiled->geometries[0].primitive_count);
     EXPECT_EQ(19U, compiled->geometries[2].primitive_count);
     EXPECT_EQ("special", compiled->geometry_names[3]);
-    EXPECT_EQ(kernel::RAY_ALL & ~kernel::RAY_SHADOW, compiled->geometry_visible_to[1]);
+    EXPECT_EQ(kernel::RAY_SHADOW, compiled->geometries[1].hidden_from);
     EXPECT_EQ(100U, compiled->spheres.size());
 }
 

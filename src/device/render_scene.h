@@ -45,7 +45,6 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<std::uint32_t> geometry_objects;     ///< One for each of `geometries`: index into Scene::objects.
     std::vector<std::string> material_names;         ///< One for each of `materials`.
     std::vector<PlacedSolid> solids;                 ///< Ascending by geometry.
-    std::vector<std::uint32_t> geometry_visible_to;  ///< One for each of `geometries`: RAY_* bits.
 };
 
 /// Bytes of all arrays.

@@ -18,6 +18,11 @@ KERNEL_ARRAY(Material, materials, 10)
 KERNEL_ARRAY(TextureInfo, textures, 11)
 KERNEL_ARRAY(uint, texels, 12)
 KERNEL_ARRAY(float, srgb_to_linear, 13)  // 256 entries
+KERNEL_ARRAY(PatternedMaterial, patterned, 16)
+KERNEL_ARRAY(Layer, layers, 17)
+KERNEL_ARRAY(uint, code, 18)
+KERNEL_ARRAY(Fog, fogs, 19)
+KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 
 // Of the Frame: new for every picture.
 #ifndef KERNEL_ARRAYS_SCENE_ONLY

@@ -23,7 +23,7 @@ KERNEL_CONST uint GEOMETRY_PLANE = 3u;
 /// texture coordinates, its normal is in world space.
 KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 
-/// What a ray is for, as bits: a geometry may be seen by some of them only.
+/// What a ray is for, as bits: a geometry may be hidden from some of them.
 KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
 KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror.
 KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
@@ -31,6 +31,25 @@ KERNEL_CONST uint RAY_ALL = 7u;
 
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
+KERNEL_CONST uint LIGHT_SPOT = 2u;      ///< Within a cone around Light::axis.
+KERNEL_CONST uint LIGHT_CYLINDER = 3u;  ///< Within a cylinder around Light::axis.
+
+/// Light::flags.
+KERNEL_CONST uint LIGHT_SHADOWS = 1u;
+KERNEL_CONST uint LIGHT_HIGHLIGHTS = 2u;
+KERNEL_CONST uint LIGHT_CIRCULAR = 4u;  ///< An area's grid is bent to a disc.
+KERNEL_CONST uint LIGHT_ORIENT = 8u;    ///< An area turns to face the lit point.
+KERNEL_CONST uint LIGHT_JITTER = 16u;   ///< An area's lights are moved about within their cells.
+
+/// FrameParams::camera_kind. See kernel/cameras/projections.h.
+KERNEL_CONST uint CAMERA_PERSPECTIVE = 0u;
+KERNEL_CONST uint CAMERA_ORTHOGRAPHIC = 1u;
+KERNEL_CONST uint CAMERA_FISHEYE = 2u;
+KERNEL_CONST uint CAMERA_ULTRA_WIDE_ANGLE = 3u;
+KERNEL_CONST uint CAMERA_OMNIMAX = 4u;
+KERNEL_CONST uint CAMERA_PANORAMIC = 5u;
+KERNEL_CONST uint CAMERA_CYLINDER = 6u;  ///< 6 to 9: types 1 to 4
+KERNEL_CONST uint CAMERA_SPHERICAL = 10u;
 
 /// Material::flags.
 KERNEL_CONST uint MATERIAL_PHONG = 1u;         ///< Highlight by Phong's mirrored ray; else Blinn's halfway vector.
@@ -39,6 +58,76 @@ KERNEL_CONST uint MATERIAL_CHECKER = 4u;       ///< Diffuse alternates with chec
 KERNEL_CONST uint MATERIAL_HIGHLIGHT = 8u;     ///< specular is not black.
 KERNEL_CONST uint MATERIAL_TEXTURED = 16u;     ///< Any *_texture is set, or checker.
 KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, or opacity_texture is set: never culled.
+
+KERNEL_CONST uint MATERIAL_PATTERNED = 64u;    ///< A texture of layers: Material::patterned says which.
+
+/// Layer::flags.
+KERNEL_CONST uint LAYER_FRESNEL = 1u;          ///< Reflection follows Fresnel's equations by the interior's ior.
+KERNEL_CONST uint LAYER_CONSERVE_ENERGY = 2u;  ///< What is reflected doesn't pass through.
+
+/// Most layers of a texture.
+KERNEL_CONST uint MAX_LAYERS = 8u;
+
+/// Pigment programs: words of the array `code`. An instruction's first word is opcode | target << 8 | source << 16 |
+/// source2 << 24; operands follow, floats by their bits. Targets and sources number points, values or colours, of which there are
+/// PROGRAM_SLOTS each. Point 0 is where the pigment is asked for; colour 0 is the answer.
+KERNEL_CONST uint PROGRAM_SLOTS = 8u;
+KERNEL_CONST uint OP_END = 0u;
+KERNEL_CONST uint OP_SOLID = 1u;      ///< colour[target] = 5 floats: red, green, blue, filter, transmit.
+KERNEL_CONST uint OP_TRANSFORM = 2u;  ///< point[target] = affine map (columns x, y, z, t) of point[source].
+KERNEL_CONST uint OP_FIELD = 3u;      ///< value[target] = field at point[source]: FIELD_*, 3 floats of parameters, noise generator.
+KERNEL_CONST uint OP_WAVE = 4u;       ///< value[target] = wave form of itself: WAVE_*, frequency, phase, exponent.
+KERNEL_CONST uint OP_MAP = 5u;        ///< colour[target] = map at value[source]: count, then position and 5 floats each.
+KERNEL_CONST uint OP_CHOICE = 6u;     ///< value[target] = which of a list is at point[source]: CHOICE_* and 4 floats.
+KERNEL_CONST uint OP_PICK = 7u;       ///< colour[target] = entry number value[source]: count, then 5 floats each.
+KERNEL_CONST uint OP_CLEAR = 8u;      ///< colour[target] = 0.
+KERNEL_CONST uint OP_BLEND_MAP = 9u;  ///< colour[target] += colour[source] by its share at value[source2] in a map: positions of the
+                                      ///< entry before, this one, and the one after.
+KERNEL_CONST uint OP_BLEND_PICK = 10u;  ///< colour[target] += colour[source] where value[source2] is the number (1 float).
+KERNEL_CONST uint OP_TURBULENCE = 12u;  ///< point[target] = point[source] stirred: 3 floats of amounts, octaves, lambda, omega.
+KERNEL_CONST uint OP_IMAGE = 11u;       ///< colour[target] = picture at point[source]: texture, flags, map type, filter, transmit.
+
+/// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
+KERNEL_CONST uint FIELD_GRADIENT = 0u;
+KERNEL_CONST uint FIELD_ONION = 1u;
+KERNEL_CONST uint FIELD_SPHERICAL = 2u;
+KERNEL_CONST uint FIELD_CYLINDRICAL = 3u;
+KERNEL_CONST uint FIELD_PLANAR = 4u;
+KERNEL_CONST uint FIELD_BOXED = 5u;
+KERNEL_CONST uint FIELD_RADIAL = 6u;
+KERNEL_CONST uint FIELD_LEOPARD = 7u;
+KERNEL_CONST uint FIELD_WOOD = 8u;
+KERNEL_CONST uint FIELD_MARBLE = 9u;
+KERNEL_CONST uint FIELD_SPIRAL1 = 10u;
+KERNEL_CONST uint FIELD_SPIRAL2 = 11u;
+// With noise; the fourth parameter is the noise generator, 1 to 3.
+KERNEL_CONST uint FIELD_NOISE = 12u;  ///< bozo, spotted, bumps
+KERNEL_CONST uint FIELD_GRANITE = 13u;
+KERNEL_CONST uint FIELD_AGATE = 14u;
+KERNEL_CONST uint FIELD_WRINKLES = 15u;
+KERNEL_CONST uint FIELD_DENTS = 16u;
+
+/// Lists of OP_CHOICE.
+KERNEL_CONST uint CHOICE_CHECKER = 0u;
+KERNEL_CONST uint CHOICE_BRICK = 1u;
+KERNEL_CONST uint CHOICE_HEXAGON = 2u;
+KERNEL_CONST uint CHOICE_SQUARE = 3u;
+KERNEL_CONST uint CHOICE_TRIANGULAR = 4u;
+KERNEL_CONST uint CHOICE_CUBIC = 5u;
+
+/// Wave forms of OP_WAVE.
+KERNEL_CONST uint WAVE_RAMP = 0u;
+KERNEL_CONST uint WAVE_TRIANGLE = 1u;
+KERNEL_CONST uint WAVE_SINE = 2u;
+KERNEL_CONST uint WAVE_SCALLOP = 3u;
+KERNEL_CONST uint WAVE_CUBIC = 4u;
+KERNEL_CONST uint WAVE_POLY = 5u;
+KERNEL_CONST uint WAVE_NONE = 6u;  ///< The field as it is, clamped to 0..1.
+
+/// OP_IMAGE's flags.
+KERNEL_CONST uint IMAGE_ONCE = 1u;
+KERNEL_CONST uint IMAGE_SMOOTH = 2u;
+KERNEL_CONST uint IMAGE_CLEAR = 4u;  ///< What the answer is outside an image shown once: clear, not black.
 
 /// TextureInfo::flags.
 KERNEL_CONST uint TEXTURE_SRGB = 1u;
@@ -58,6 +147,11 @@ KERNEL_CONST uint FEATURE_ANALYTIC = 64u;    ///< Some sphere, box or plane.
 KERNEL_CONST uint FEATURE_INSTANCES = 128u;  ///< Some geometry moves.
 KERNEL_CONST uint FEATURE_CULL = 256u;       ///< Back faces of opaque materials are not there.
 KERNEL_CONST uint FEATURE_BUMP = 512u;       ///< Some material has a bump or normal map.
+
+KERNEL_CONST uint FEATURE_PATTERNED = 1024u;   ///< Some material is a texture of layers.
+KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;  ///< Fog or a sky sphere.
+KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
+KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
 
 /// Most surfaces at which a path may both reflect and refract before the weaker branch is dropped.
 KERNEL_CONST uint MAX_BRANCHES = 16u;
@@ -99,7 +193,8 @@ struct Geometry {
     uint kind;             ///< GEOMETRY_*
     uint first_primitive;  ///< Into triangles, spheres, boxes or planes.
     uint primitive_count;
-    uint instance;  ///< Into instances; NONE where primitives are in world space.
+    uint instance;     ///< Into instances; NONE where primitives are in world space.
+    uint hidden_from;  ///< RAY_* bits of rays that don't see it.
 };
 
 /// World placement of a moving geometry in this frame. Columns and translation of affine maps.
@@ -138,17 +233,49 @@ struct Material {
     vec3 checker_other;
     vec2 checker_cells;
     TextureRef diffuse_texture, specular_texture, emission_texture, opacity_texture, bump_texture, normal_texture;
+    uint patterned;  ///< Into `patterned`, if MATERIAL_PATTERNED.
+};
+
+/// A texture of layers where it lies on an object, and what is inside the object. Uniform for all lanes that hit it.
+struct PatternedMaterial {
+    vec3 texture_from_world_x, texture_from_world_y, texture_from_world_z, texture_from_world_t;
+    uint first_layer, layer_count;  ///< Into `layers`, the top one first.
+    float ior;
+    float fade_distance, fade_power;  ///< Light dims on its way through the inside; power 0: not at all.
+    vec3 fade_color;
+};
+
+/// One layer: a pigment and a finish, with POV-Ray's meaning (reference, section 3.5.4). Colours linear.
+struct Layer {
+    uint program;  ///< Into `code`.
+    uint flags;    ///< LAYER_*
+    uint uses_uv;  ///< 1: the pigment is looked up at (u, v, 0).
+    vec3 ambient;  ///< Times FrameParams::ambient.
+    vec3 emission;
+    float diffuse, diffuse_back, brilliance;
+    float phong, phong_size;
+    float specular, specular_exponent;
+    float metallic;
+    vec3 reflection_min, reflection_max;
+    float reflection_falloff;
+    float reflection_metallic;
 };
 
 struct Light {
-    vec3 place;  ///< lamp: position; sun: unit direction towards it.
-    vec3 color;  ///< No falloff with distance.
+    vec3 place;  ///< Position; sun: unit direction towards it.
+    vec3 color;
     uint kind;
-    uint casts_shadows;
+    uint flags;  ///< LIGHT_*
+    vec3 axis;   ///< spot, cylinder: unit direction in which it shines.
+    float bright, dark;  ///< spot: cosines of the half angles of the bright and the outer cone; cylinder: radii.
+    float tightness;     ///< Exponent towards the rim.
+    float fade_distance, fade_power;  ///< Power 0: no falloff with distance.
+    vec3 area_u, area_v;              ///< An area's sides; it is centred on place.
+    uint area_count_u, area_count_v;  ///< Lights along them; 1 by 1: a point.
 };
 
 /// Pinhole: a ray through image point (x, y) in [0,1]^2 (y down) starts at eye, towards
-/// center + right*(2x-1) + up*(1-2y).
+/// center + right*(2x-1) + up*(1-2y). Other kinds use the same vectors in their own way.
 struct Camera {
     vec3 eye;
     vec3 center;  ///< From the eye to the middle of the window.
@@ -156,9 +283,28 @@ struct Camera {
     vec3 up;      ///< Half the window's height.
 };
 
+/// Fog (POV-Ray's reference, section 3.4.4.2). What is behind it is dimmed to the share 1/e over `distance`.
+struct Fog {
+    uint ground;       ///< 1: full at the height `offset` and below, thinning out upwards.
+    float distance;
+    vec3 color;
+    float filter_share, transmit_share;  ///< How much of the dimmed light is tinted; how much of it passes at least.
+    float altitude, offset;
+    vec3 up;  ///< Unit.
+};
+
+/// A pigment on the infinitely far sphere: its program is asked at the ray's direction.
+struct SkyLayer {
+    uint program;
+    vec3 sky_from_world_x, sky_from_world_y, sky_from_world_z;
+    vec3 emission;
+};
+
 /// What changes from frame to frame, one per picture.
 struct FrameParams {
     Camera camera;
+    uint camera_kind;                           ///< CAMERA_*
+    float camera_angle, camera_vertical_angle;  ///< Radians, of the whole view; kinds that have one.
     vec3 ambient;
     vec3 sky;
     uint width, height;
@@ -167,6 +313,8 @@ struct FrameParams {
     float far_z;       ///< Far clip depth along the view axis; infinite for none.
     uint light_count;
     uint plane_count;
+    uint fog_count;
+    uint sky_layer_count;
     uint features;  ///< FEATURE_* bits
     uint aovs;      ///< AOV_* bits wanted
     uint seed;

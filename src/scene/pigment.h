@@ -78,6 +78,8 @@ struct Pattern {
     double frequency = 1, phase = 0;
     Affine3d pattern_from_texture;  ///< Inverse of all transforms between this pattern and the texture it is part of.
     Vec3d turbulence;               ///< 0: none.
+    double agate_turbulence = 1;    ///< agate_turb
+    int noise_generator = 2;        ///< 1 to 3
     int octaves = 6;
     double lambda = 2, omega = 0.5;
     std::vector<std::uint32_t> images;  ///< image: index into Scene::textures.

@@ -51,6 +51,41 @@ UniformValues uniforms_for(std::uint32_t function, Random& random) {
             for (int i = 3; i < 12; ++i) u.v[i] = 0.3F * u.v[i] + (i % 4 == 3 ? 1.0F : 0.0F);
             u.v[12] = random.between(5, 100);
             break;
+        case CALL_FIELD:
+            u.v[12] = std::floor(random.between(0, FIELD_DENTS + 0.99F));
+            u.v[13] = std::floor(random.between(1, 5));
+            break;
+        case CALL_WAVE:
+            u.v[12] = std::floor(random.between(0, WAVE_NONE + 0.99F));
+            u.v[13] = random.between(-3, 3);
+            u.v[14] = random.between(0.3F, 3);
+            break;
+        case CALL_CHOICE:
+            u.v[12] = std::floor(random.between(0, CHOICE_CUBIC + 0.99F));
+            u.v[13] = random.between(1, 3);
+            break;
+        case CALL_IMAGE_POSITION:
+            u.v[12] = std::floor(random.between(0, 3.99F));
+            if (u.v[12] == 3) u.v[12] = 5;
+            break;
+        case CALL_LIGHT_SHARE:
+        case CALL_AREA_LIGHT:
+            u.v[12] = std::floor(random.between(0, LIGHT_CYLINDER + 0.99F));
+            u.v[13] = random.between(0, 3);
+            u.v[14] = std::floor(random.between(0, 3));
+            u.v[15] = std::floor(random.between(0, 3));
+            u.v[16] = std::floor(random.between(0, 3));
+            u.v[17] = std::floor(random.between(0, 4));
+            break;
+        case CALL_FOG:
+        case CALL_LAYER:
+            u.v[12] = std::floor(random.between(0, 1.99F));
+            u.v[13] = random.between(0.5F, 4);
+            break;
+        case CALL_PROJECTION:
+            u.v[12] = std::floor(random.between(0, CAMERA_SPHERICAL + 0.99F));
+            u.v[13] = random.between(0.5F, 5);
+            break;
         case CALL_PIXEL_SAMPLE:
             u.v[13] = std::floor(random.between(0, 4000));
             break;
@@ -79,7 +114,12 @@ void put_surface(Random& random, CallValues& a) {
 CallValues varying_for(std::uint32_t function, Random& random) {
     CallValues a;
     for (float& v : a) v = random.between(-1, 1);
-    if (function >= CALL_FIRST_SURFACE) {
+    if (function >= CALL_FIRST_PROCEDURAL) {
+        if (function == CALL_FOG) put_ray(random, a);
+        if (function == CALL_SINE) a[0] = random.between(-1000, 1000);
+        if (function == CALL_FIELD || function == CALL_CHOICE || function == CALL_LIGHT_SHARE)
+            for (std::size_t i = 0; i < 3; ++i) a[i] *= 4;
+    } else if (function >= CALL_FIRST_SURFACE) {
         put_surface(random, a);
     } else if (function >= CALL_FIRST_PATTERN) {
         for (std::size_t i = 0; i < 4; ++i) a[i] = random.between(i < 2 ? -3 : 1, 7);
@@ -129,7 +169,18 @@ std::vector<FunctionCase> function_cases() {
             {"texture", CALL_TEXTURE, 1e-4F, 1e-4F},
             {"surface", CALL_SURFACE, 1e-4F, 1e-4F},
             {"material", CALL_MATERIAL, 1e-3F, 1e-3F},
-            {"bump", CALL_BUMP, 1e-3F, 1e-3F}};
+            {"bump", CALL_BUMP, 1e-3F, 1e-3F},
+            {"sine", CALL_SINE, 1e-5F, 1e-6F},
+            // Where a value jumps (from one repeat to the next), the two sides' roundings may fall either way.
+            {"field", CALL_FIELD, 1e-4F, 1e-5F, true},
+            {"wave", CALL_WAVE, 1e-3F, 1e-4F, true},
+            {"choice", CALL_CHOICE, 0, 0, true},
+            {"image_position", CALL_IMAGE_POSITION, 1e-4F, 1e-5F, true},
+            {"light_share", CALL_LIGHT_SHARE, 1e-3F, 1e-4F, true},
+            {"area_light", CALL_AREA_LIGHT, 1e-4F, 1e-5F, true},
+            {"fog", CALL_FOG, 1e-3F, 1e-4F},
+            {"layer", CALL_LAYER, 1e-3F, 1e-4F, true},
+            {"projection", CALL_PROJECTION, 1e-4F, 1e-5F, true}};
 }
 
 Arguments random_arguments(const FunctionCase& function, std::size_t batches) {

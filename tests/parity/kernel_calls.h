@@ -4,9 +4,11 @@
 #ifndef SUNDOG_TESTS_PARITY_KERNEL_CALLS_H
 #define SUNDOG_TESTS_PARITY_KERNEL_CALLS_H
 
-#include "kernel/cameras/pinhole.h"
+#include "kernel/atmosphere/fog.h"
+#include "kernel/cameras/projections.h"
 #include "kernel/lights/light.h"
 #include "kernel/materials/bump.h"
+#include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
 #include "kernel/shapes/all_planes.h"
 #include "parity/call_numbers.h"
@@ -85,8 +87,8 @@ FN Varying call_shape(SCENE uint function, UniformValues u, Varying a) {
         hit.primitive = word(NONE);
         hit.normal = real3(real(0.0f));
         mask everywhere = ray.t_max > real(0.0f);
-        closest_plane(SCENE_ ray, everywhere, hit);
-        r.v[0] = real_of(any_plane(SCENE_ ray, everywhere));
+        closest_plane(SCENE_ ray, RAY_CAMERA, everywhere, hit);
+        r.v[0] = real_of(any_plane(SCENE_ ray, RAY_SHADOW, everywhere));
         r.v[1] = hit.t;
         r.v[2] = real_from_word(hit.geometry & word(255u));
         put(r, 3u, hit.normal);
@@ -136,7 +138,7 @@ FN Varying call_reflection(uint function, UniformValues u, Varying a) {
         light.place = vector_of(u, 0u);
         light.color = vec3(1.0f);
         light.kind = u.v[3] > 0.0f ? LIGHT_SUN : LIGHT_LAMP;
-        light.casts_shadows = 1u;
+        light.flags = LIGHT_SHADOWS | LIGHT_HIGHLIGHTS;
         real distance;
         put(r, 0u, direction_to_light(light, vector_of(a, 0u), distance));
         r.v[3] = distance;
@@ -224,6 +226,87 @@ FN Varying call_surface(SCENE uint function, Varying a) {
     return r;
 }
 
+/// The functions that procedural scenes add. u.v[12] to [17] choose kinds, counts and exponents.
+FN Varying call_procedural(uint function, UniformValues u, Varying a) {
+    Varying r = a;
+    uint kind = uint(u.v[12]);
+    real3 p = vector_of(a, 0u);
+    if (function == CALL_SINE) r.v[0] = sine(a.v[0]);
+    if (function == CALL_FIELD) r.v[0] = field_value(kind, p, vec3(u.v[13], 0.5f, 0.25f), 1u + kind % 3u);
+    if (function == CALL_WAVE) r.v[0] = wave_value(kind, a.v[0], u.v[13], u.v[0], u.v[14]);
+    if (function == CALL_CHOICE) r.v[0] = choice_value(kind, p, vec3(u.v[13], 1.5f, 2.0f), 0.25f);
+    if (function == CALL_IMAGE_POSITION) {
+        real2 uv = image_position(kind, p);
+        r.v[0] = uv.x;
+        r.v[1] = uv.y;
+    }
+    if (function == CALL_LIGHT_SHARE || function == CALL_AREA_LIGHT) {
+        Light light;
+        light.place = vector_of(u, 0u);
+        light.color = vec3(1.0f);
+        light.kind = kind;
+        light.flags = LIGHT_HIGHLIGHTS | (u.v[3] > 0.0f ? LIGHT_CIRCULAR : 0u) | (u.v[4] > 0.0f ? LIGHT_ORIENT : 0u);
+        light.axis = normalize(vector_of(u, 6u));
+        light.bright = kind == LIGHT_SPOT ? 0.6f : 0.3f;
+        light.dark = kind == LIGHT_SPOT ? 0.1f : 1.5f;
+        light.tightness = u.v[14];
+        light.fade_distance = u.v[13];
+        light.fade_power = u.v[15];
+        light.area_u = vector_of(u, 3u);
+        light.area_v = vector_of(u, 9u);
+        light.area_count_u = 3u;
+        light.area_count_v = 4u;
+        real distance;
+        real3 to_light = direction_to_light(light, p, distance);
+        if (function == CALL_LIGHT_SHARE) {
+            r.v[0] = light_share(light, p, to_light, distance);
+            r.v[1] = distance;
+        } else {
+            put(r, 0u, area_light_place(light, uint(u.v[16]), uint(u.v[17]), to_light));
+        }
+    }
+    if (function == CALL_FOG) {
+        Fog fog;
+        fog.ground = kind & 1u;
+        fog.distance = u.v[13];
+        fog.color = abs(vector_of(u, 0u));
+        fog.filter_share = abs(u.v[3]);
+        fog.transmit_share = 0.1f;
+        fog.altitude = 0.5f;
+        fog.offset = u.v[4];
+        fog.up = normalize(vector_of(u, 6u));
+        real3 glow;
+        put(r, 0u, fog_transmittance(fog, ray_of(a), a.v[7], glow));
+        put(r, 3u, glow);
+    }
+    if (function == CALL_LAYER) {
+        Layer layer;
+        layer.flags = kind & 1u;
+        layer.reflection_min = abs(vector_of(u, 0u));
+        layer.reflection_max = abs(vector_of(u, 3u));
+        layer.reflection_falloff = u.v[13];
+        layer.reflection_metallic = abs(u.v[9]);
+        put(r, 0u, layer_reflectance(layer, 1.5f, abs(p), abs(a.v[3]), a.v[4] > real(0.0f)));
+        put(r, 3u, metallic_tint(abs(p), real(0.75f), abs(a.v[3])));
+    }
+    if (function == CALL_PROJECTION) {
+        FrameParams frame_params;
+        frame_params.camera.eye = vector_of(u, 0u);
+        frame_params.camera.center = vec3(0.0f, 0.0f, 1.0f);
+        frame_params.camera.right = vec3(0.5f, 0.0f, 0.0f);
+        frame_params.camera.up = vec3(0.0f, 0.375f, 0.0f);
+        frame_params.camera_kind = kind;
+        frame_params.camera_angle = u.v[13];
+        frame_params.camera_vertical_angle = 1.25f;
+        frame_params.far_z = 1000.0f;
+        Ray ray = camera_ray(frame_params, abs(a.v[0]), abs(a.v[1]));
+        put(r, 0u, ray.origin);
+        put(r, 3u, ray.direction);
+        r.v[6] = ray.t_max;
+    }
+    return r;
+}
+
 /// Calls function number `function` (CALL_*); results that it doesn't set are the arguments.
 FN Varying call_kernel(SCENE uint function, UniformValues u, Varying a) {
     if (function < CALL_FIRST_SHAPE) return call_math(function, a);
@@ -231,7 +314,8 @@ FN Varying call_kernel(SCENE uint function, UniformValues u, Varying a) {
     if (function < CALL_FIRST_CAMERA) return call_reflection(function, u, a);
     if (function < CALL_FIRST_PATTERN) return call_camera(function, u, a);
     if (function < CALL_FIRST_SURFACE) return call_pattern(SCENE_ function, a);
-    return call_surface(SCENE_ function, a);
+    if (function < CALL_FIRST_PROCEDURAL) return call_surface(SCENE_ function, a);
+    return call_procedural(function, u, a);
 }
 
 KERNEL_END

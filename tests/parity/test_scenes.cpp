@@ -59,7 +59,7 @@ scene::Mesh sheet(Vec3 center, float half_size, float wave, int cells, Index mat
                                      Vec3{x * half_size, y * half_size, wave * std::sin(5 * x) * std::cos(4 * y)});
             const float dx = wave * 5 * std::cos(5 * x) * std::cos(4 * y) / half_size;
             const float dy = -wave * 4 * std::sin(5 * x) * std::sin(4 * y) / half_size;
-            mesh.normals.push_back(normalize({-dx, -dy, 1}));
+            mesh.normals.push_back(normalize(Vec3{-dx, -dy, 1}));
             mesh.texcoords.push_back({(x + 1) / 2, (y + 1) / 2});
         }
     }
@@ -136,7 +136,8 @@ Scene culled() {
 Scene analytic_shapes() {
     Scene scene = stage();
     put(scene, "ground", scene::Plane{{0, 0, 1}, -1}, add(scene, matt({0.5F, 0.5F, 0.5F})));
-    put(scene, "wall", scene::Plane{normalize({0.3F, -1, 0.1F}), -4}, add(scene, shiny({0.3F, 0.6F, 0.3F}, 10, true)));
+    put(scene, "wall", scene::Plane{normalize(Vec3{0.3F, -1, 0.1F}), -4},
+        add(scene, shiny({0.3F, 0.6F, 0.3F}, 10, true)));
     put(scene, "ball", scene::Sphere{{-1, 0, 0}, 1}, add(scene, shiny({0.8F, 0.7F, 0.1F}, 60, true)));
     put(scene, "crate", scene::Box{{0.5F, -0.5F, -0.98F}, {1.5F, 0.5F, 0.3F}}, add(scene, matt({0.7F, 0.3F, 0.6F})));
     for (int i = 0; i < 20; ++i) {
@@ -162,6 +163,82 @@ Scene glass_and_shadows() {
     const Index pane = add(scene, glass(1));
     put(scene, "pane", sheet({0, -1.5F, 0.5F}, 0.7F, 0.1F, 6, pane, true), pane);
     scene.settings.max_depth = 8;
+    return scene;
+}
+
+scene::PigmentEntry entry(float at, scene::PigmentColor color) { return {at, color, nullptr}; }
+
+std::shared_ptr<scene::Pigment> pattern(scene::Pigment::Kind pigment_kind, scene::Pattern::Kind kind,
+                                        std::vector<scene::PigmentEntry> entries) {
+    auto pigment = std::make_shared<scene::Pigment>();
+    pigment->kind = pigment_kind;
+    pigment->pattern.kind = kind;
+    pigment->entries = std::move(entries);
+    return pigment;
+}
+
+scene::Material layers(std::vector<scene::TextureLayer> list, scene::Interior interior = {}) {
+    scene::Material material;
+    auto texture = std::make_shared<scene::LayeredTexture>();
+    texture->layers = std::move(list);
+    material.patterned = scene::PatternedSurface{texture, {}, interior};
+    return material;
+}
+
+/// Patterns with and without noise, layers, glass that fades, shaped lights, fog and sky.
+Scene procedural() {
+    using scene::Pattern;
+    using scene::Pigment;
+    Scene scene = analytic_shapes();
+    scene.textures = {stripes(true)};
+    scene::Finish finish;
+    finish.specular = 0.5F;
+    finish.brilliance = 1.5F;
+    finish.reflection_max = {0.4F, 0.4F, 0.4F};
+    const auto stone = pattern(Pigment::Kind::mapped, Pattern::Kind::granite,
+                               {entry(0, {0.2F, 0.1F, 0.1F, 0, 0}), entry(1, {0.9F, 0.8F, 0.7F, 0, 0})});
+    const auto waves = pattern(Pigment::Kind::mapped, Pattern::Kind::wood,
+                               {entry(0, {0.6F, 0.3F, 0.1F, 0, 0}), entry(0.8F, {0.8F, 0.6F, 0.3F, 0, 0})});
+    waves->pattern.turbulence = {0.2, 0.2, 0.2};
+    const auto bricks =
+        pattern(Pigment::Kind::choice, Pattern::Kind::brick, {entry(0, {0.7F, 0.7F, 0.7F, 0, 0}), {0, {}, stone}});
+    bricks->pattern.brick_size = {0.8, 0.4, 0.4};
+    bricks->pattern.mortar = 0.05;
+    const auto veil = pattern(Pigment::Kind::mapped, Pattern::Kind::gradient,
+                              {entry(0, {1, 1, 1, 0, 1}), entry(1, {0.2F, 0.3F, 0.9F, 0.3F, 0.2F})});
+    const auto glass_color = pattern(Pigment::Kind::choice, Pattern::Kind::checker,
+                                     {entry(0, {0.9F, 1, 0.9F, 0.9F, 0}), entry(0, {1, 0.8F, 0.8F, 0.8F, 0})});
+    const auto picture = std::make_shared<Pigment>();
+    picture->kind = Pigment::Kind::image;
+    picture->image.smooth = true;
+    scene.materials[0] = layers({{bricks, finish}});
+    scene.materials[1] = layers({{waves, finish}, {veil, {}}});
+    scene::Interior interior;
+    interior.ior = 1.4F;
+    interior.fade_distance = 1;
+    interior.fade_power = 2;
+    interior.fade_color = {0.1F, 0.3F, 0.1F};
+    scene.materials[2] = layers({{glass_color, finish}}, interior);
+    scene.materials[3] = layers({{picture, finish}});
+    scene.lights[0].kind = scene::Light::Kind::spotlight;
+    scene.lights[0].point_at = {0, 0, -0.5F};
+    scene.lights[0].area = scene::LightArea{{0.5F, 0, 0}, {0, 0.5F, 0}, 3, 2, -1, false, true, true};
+    scene.lights[1].fade_distance = 2;
+    scene.lights[1].fade_power = 1;
+    scene::Fog fog;
+    fog.ground = true;
+    fog.distance = 6;
+    fog.altitude = 0.5F;
+    fog.offset = -0.5F;
+    fog.up = {0, 0, 1};
+    fog.color = {0.6F, 0.6F, 0.7F, 0.2F, 0.1F};
+    scene.fogs.push_back(fog);
+    scene::SkySphere sky;
+    sky.pigments.push_back(pattern(Pigment::Kind::mapped, Pattern::Kind::bozo,
+                                   {entry(0.3F, {0.2F, 0.3F, 0.8F, 0, 0}), entry(0.7F, {1, 1, 1, 0, 0})}));
+    scene.sky_spheres.push_back(sky);
+    scene.objects[2].seen_in_reflections = false;
+    scene.settings.max_depth = 5;
     return scene;
 }
 
@@ -247,6 +324,7 @@ std::vector<TestScene> test_scenes() {
             {"mirrors", mirrors()},
             {"glass", glass_and_shadows()},
             {"textures", textured()},
+            {"procedural", procedural()},
             {"moving objects", moving(), 0.7F},
             {"far clip", far_clipped()},
             {"identical triangles", identical_triangles()},

@@ -121,7 +121,7 @@ void EmbreeScene::add(std::uint32_t index) {
     const kernel::Geometry& g = scene_.geometries[index];
     data_.push_back(std::make_unique<GeometryData>(GeometryData{&scene_, g}));
     GeometryData& data = *data_.back();
-    if (index < scene_.geometry_visible_to.size()) data.visible_to = scene_.geometry_visible_to[index];
+    data.visible_to = kernel::RAY_ALL & ~g.hidden_from;
     if (g.kind == kernel::GEOMETRY_SOLID) {
         const auto placed = std::lower_bound(scene_.solids.begin(), scene_.solids.end(), index,
                                              [](const PlacedSolid& s, std::uint32_t i) { return s.geometry < i; });

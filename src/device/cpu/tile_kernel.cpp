@@ -28,7 +28,7 @@ inline constexpr int kBlockWidth = 2, kBlockHeight = 2;
 FN vfloat& lanes_of(float* first) { return *reinterpret_cast<vfloat*>(first); }
 FN vuint& lanes_of(unsigned* first) { return *reinterpret_cast<vuint*>(first); }
 
-FN void store_ray(const Ray& ray, RayPacket& packet) {
+FN void store_ray(const Ray& ray, uint ray_kind, RayPacket& packet) {
     lanes_of(packet.org_x) = ray.origin.x.v;
     lanes_of(packet.org_y) = ray.origin.y.v;
     lanes_of(packet.org_z) = ray.origin.z.v;
@@ -38,17 +38,17 @@ FN void store_ray(const Ray& ray, RayPacket& packet) {
     lanes_of(packet.tnear) = ray.t_min.v;
     lanes_of(packet.tfar) = ray.t_max.v;
     lanes_of(packet.time) = vfloat{};
-    lanes_of(packet.mask) = vuint{} - 1u;
+    lanes_of(packet.mask) = vuint{} + ray_kind;
     lanes_of(packet.flags) = vuint{};
 }
 
-inline Hit trace_closest(SCENE Ray ray, mask alive, bool coherent_rays) {
+inline Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind) {
     alignas(64) RayHitPacket packet;
-    store_ray(ray, packet.ray);
+    store_ray(ray, ray_kind, packet.ray);
     lanes_of(packet.hit.geomID) = vuint{} - 1u;
     lanes_of(packet.hit.instID[0]) = vuint{} - 1u;
     alignas(64) const vint valid = lane_ints(alive);
-    embree::Query query(coherent_rays);
+    embree::Query query(ray_kind != RAY_REFLECTED);
     embree::closest_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
                         query, packet);
     Hit hit;
@@ -65,13 +65,13 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, bool coherent_rays) {
     const mask found = mask_and(alive, hit.geometry != word(NONE));
     hit.primitive =
         word(lanes_of(packet.hit.primID)) + FIELD(geometries, valid_index(found, hit.geometry), first_primitive);
-    if (scene.frame.plane_count > 0) closest_plane(scene, ray, alive, hit);
+    if (scene.frame.plane_count > 0) closest_plane(scene, ray, ray_kind, alive, hit);
     return hit;
 }
 
-inline mask trace_any(SCENE Ray ray, mask alive) {
+inline mask trace_any(SCENE Ray ray, mask alive, uint ray_kind) {
     alignas(64) RayPacket packet;
-    store_ray(ray, packet);
+    store_ray(ray, ray_kind, packet);
     alignas(64) const vint valid = lane_ints(alive);
     // Not as coherent where things move: Embree 3.13 never returns from rtcOccluded16 on coherent rays that meet an
     // instance of shapes with callbacks.
@@ -79,13 +79,13 @@ inline mask trace_any(SCENE Ray ray, mask alive) {
     embree::any_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
                     query, packet);
     mask blocked = mask_and(alive, real(lanes_of(packet.tfar)) < real(0.0f));
-    if (scene.frame.plane_count > 0) blocked = mask_or(blocked, any_plane(scene, ray, alive));
+    if (scene.frame.plane_count > 0) blocked = mask_or(blocked, any_plane(scene, ray, ray_kind, alive));
     return blocked;
 }
 
 KERNEL_END
 
-#include "kernel/cameras/pinhole.h"
+#include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
 
 namespace sundog::cpu {
@@ -171,10 +171,10 @@ BlockResult trace_block(const SceneView& view, int x0, int y0, mask in_image, co
     const float per_height = 1.0F / static_cast<float>(view.frame.height);
     for (std::uint32_t i = 0; i < work.sample_count; ++i) {
         const vec2 offset = pixel_sample(work.first_sample + i);
-        const Ray ray =
-            pinhole_ray(view.frame.camera, (x + offset.x) * per_width, (y + offset.y) * per_height, view.frame.far_z);
+        const Ray ray = camera_ray(view.frame, (x + offset.x) * per_width, (y + offset.y) * per_height);
         FirstHit first;
-        block.radiance = block.radiance + whitted_radiance(view, ray, in_image, block.counts, first);
+        const mask shown = mask_and(in_image, ray.t_max > ray.t_min);
+        block.radiance = block.radiance + whitted_radiance(view, ray, shown, block.counts, first);
         if (i == 0) block.first = first;
     }
     return block;

@@ -64,9 +64,6 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
     };
     for (const PlacedSolid& solid : scene.solids)
         add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
-    for (std::uint32_t i = 0; i < scene.geometry_visible_to.size(); ++i)
-        if (scene.geometry_visible_to[i] != kernel::RAY_ALL && scene.geometries[i].kind != kernel::GEOMETRY_SOLID)
-            add(i, nullptr, "is hidden from the camera, mirrors or lights, which only the CPU can do");
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }

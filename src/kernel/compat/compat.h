@@ -7,7 +7,11 @@
 // - Branch on varying values with select(mask, a, b); `if` and loops take uniform conditions, any_lane(mask) among
 // them.
 // - mask_and, mask_or, mask_not combine masks.
-// - FN starts a function; OUT(T), INOUT(T) its output parameters.
+// - Where lanes meet different programs or finishes, loop over those at hand with first_lane(mask, index), which makes
+// a
+//   uniform value of one lane's, and take the lanes that share it off the mask.
+// - FN starts a function, FN_LARGE one that is called from several places and not worth a copy in each; OUT(T),
+// INOUT(T) its output parameters.
 // - SCENE is a function's first parameter where it reads the scene, SCENE_ the argument that passes it on.
 // - AT(array, i): element at a uniform index. FIELD(array, i, field), GET(array, i): at a varying one, which must be
 //   valid in every lane, active or not: valid_index(mask, i) makes it so.

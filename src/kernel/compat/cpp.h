@@ -24,6 +24,8 @@
     }
 
 #define FN [[gnu::always_inline]] inline
+/// For a large function that is called from several places: one copy of it.
+#define FN_LARGE [[gnu::noinline]] inline
 #define OUT(T) T&
 #define INOUT(T) T&
 #define SCENE const SceneView &scene,

@@ -7,6 +7,7 @@
 #define KERNEL_BEGIN
 #define KERNEL_END
 #define FN
+#define FN_LARGE
 #define OUT(T) out T
 #define INOUT(T) inout T
 #define SCENE
@@ -30,6 +31,8 @@ bool select_mask(bool m, bool a, bool b) { return m ? a : b; }
 bool any_lane(bool m) { return m; }
 bool all_lanes(bool m) { return m; }
 uint valid_index(bool m, uint i) { return m ? i : 0u; }
+uint first_lane(bool m, uint i) { return i; }
+float uniform_float(uint bits) { return uintBitsToFloat(bits); }
 uint as_word(float x) { return floatBitsToUint(x); }
 float as_real(uint x) { return uintBitsToFloat(x); }
 uint word_from_real(float x) { return uint(int(x)); }

@@ -187,6 +187,11 @@ inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
         return select(m, i, word(bits == 0 ? 0u : i.v[__builtin_ctz(bits)]));
     }
 
+    /// The value in the first of the lanes of m (some lane must be in it), as a uniform one.
+    FN uint first_lane(mask m, word i) { return i.v[__builtin_ctz(lane_bits(m))]; }
+    /// A uniform float from its bits.
+    FN float uniform_float(uint bits) { return std::bit_cast<float>(bits); }
+
     FN real load(const float* first, std::size_t stride_bytes, word i) { return gather(first, stride_bytes / 4, i); }
     FN word load(const uint* first, std::size_t stride_bytes, word i) { return gather(first, stride_bytes / 4, i); }
     FN real2 load(const vec2* first, std::size_t stride_bytes, word i) {

@@ -17,6 +17,11 @@ FN mask select_mask(mask m, mask a, mask b) { return m ? a : b; }
 FN bool any_lane(mask m) { return m; }
 FN bool all_lanes(mask m) { return m; }
 
+/// The value in the first of the lanes of m (some lane must be in it), as a uniform one.
+FN uint first_lane(mask, word i) { return i; }
+/// A uniform float from its bits.
+FN float uniform_float(uint bits) { return std::bit_cast<float>(bits); }
+
 FN word as_word(real x) { return std::bit_cast<word>(x); }
 FN real as_real(word x) { return std::bit_cast<real>(x); }
 /// Truncates; x must lie in [0, 2^31).

@@ -2,17 +2,20 @@
 // Whitted's ray tracing (An Improved Illumination Model for Shaded Display, CACM 1980), iterative.
 //
 // Before including this header the device defines, in the kernel's namespace:
-//   Hit trace_closest(SCENE Ray ray, mask alive, bool coherent_rays)   nearest hit in (t_min, t_max); geometry NONE on
-//   a miss mask trace_any(SCENE Ray ray, mask alive)                     true where anything opaque or not lies in
-//   (t_min, t_max)
-// coherent_rays tells that they start or end close together (from the eye, to a lamp). Lanes that aren't alive may
+//   Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind)   nearest hit in (t_min, t_max); geometry NONE on a
+//   miss mask trace_any(SCENE Ray ray, mask alive, uint ray_kind)      true where anything, opaque or not, lies in
+//   between
+// ray_kind is one of RAY_*; all but RAY_REFLECTED (any ray but the first) start or end close together. Lanes that aren't alive may
 // return anything.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 #define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 
+#include "kernel/atmosphere/fog.h"
+#include "kernel/atmosphere/sky.h"
 #include "kernel/lights/light.h"
 #include "kernel/lights/shadow.h"
 #include "kernel/materials/bump.h"
+#include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
 
 KERNEL_BEGIN
@@ -34,8 +37,8 @@ struct FirstHit {
 };
 
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
-FN void direct_light(SCENE Surface s, Lobes lobes, real3 to_eye, mask alive, INOUT(RayCounts) counts, OUT(real3) base,
-                     OUT(real3) highlight) {
+FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, mask alive,
+                     INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
     base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     highlight = real3(real(0.0f));
     for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
@@ -47,17 +50,21 @@ FN void direct_light(SCENE Surface s, Lobes lobes, real3 to_eye, mask alive, INO
         mask lit = mask_and(alive, mask_and(cosine > real(0.0f), dot(s.geometric_normal, to_light) > real(0.0f)));
         if (any_lane(lit)) {
             real3 light_color = real3(light.color);
+            if (FEATURE(FEATURE_LIGHT_SHAPES)) {
+                light_color = light_color * light_share(light, s.position, to_light, distance);
+                lit = mask_and(lit, max(light_color.x, max(light_color.y, light_color.z)) > real(0.0f));
+            }
             if (FEATURE(FEATURE_SHADOWS)) {
-                if (light.casts_shadows != 0u) {
-                    Ray shadow;
-                    shadow.origin = s.position + s.geometric_normal * s.error;
-                    shadow.direction = to_light;
-                    shadow.t_min = real(0.0f);
-                    shadow.t_max = distance;
-                    light_color = light_color * shadow_transmittance(SCENE_ shadow, lit, counts);
+                if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
+                    real3 origin = s.position + s.geometric_normal * s.error;
+                    light_color = light_color * light_visibility(SCENE_ light, origin, to_light, distance, lit, counts);
                 }
             }
             light_color = select(lit, light_color, real3(real(0.0f)));
+            if (FEATURE(FEATURE_PATTERNED)) {
+                light_layers(SCENE_ s, layered, lit, lobes.patterned, light_color, light.flags, to_light, to_eye, base,
+                             highlight);
+            }
             base = base + lobes.diffuse * light_color * cosine;
             real specular_most = max(lobes.specular.x, max(lobes.specular.y, lobes.specular.z));
             if (any_lane(mask_and(lit, specular_most > real(0.0f)))) {
@@ -77,7 +84,8 @@ FN void direct_light(SCENE Surface s, Lobes lobes, real3 to_eye, mask alive, INO
 /// … with R_j = 1 - r_j, but R = 1 for the last: a surface whose secondary ray isn't followed (FrameParams::max_depth
 /// or min_weight) counts whole, as if it were no mirror. Where a surface both reflects and refracts, the refracted ray
 /// waits on a stack of MAX_BRANCHES entries; when that is full, only the stronger of the two is followed. Highlights
-/// sit on the surface: transparency doesn't thin them.
+/// sit on the surface: transparency doesn't thin them. Textures of layers add what they reflect and let through to
+/// their own light, which counts whole at any depth, as POV-Ray has it.
 FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first) {
     real3 black = real3(real(0.0f));
     real3 radiance = black;
@@ -95,24 +103,40 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     first.primitive = word(NONE);
     first.material = word(NONE);
     bool is_first = true;
+    uint path_kind = RAY_CAMERA;
     while (true) {
         counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
-        Hit hit = trace_closest(SCENE_ path.ray, path.alive, is_first);
+        Hit hit = trace_closest(SCENE_ path.ray, path.alive, path_kind);
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
-        radiance = radiance + select(missed, path.weight * real3(FRAME.sky), black);
+        if (FEATURE(FEATURE_ATMOSPHERE)) {
+            if (FRAME.fog_count > 0u) {
+                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.weight);
+                radiance = radiance + select(path.alive, glow, black);
+            }
+            if (any_lane(missed)) {
+                radiance = radiance + select(missed, path.weight * sky_radiance(SCENE_ path.ray.direction), black);
+            }
+        } else {
+            radiance = radiance + select(missed, path.weight * real3(FRAME.sky), black);
+        }
         mask follow = mask_and(found, mask_not(found));
         if (any_lane(found)) {
             Surface s = surface_at(SCENE_ path.ray, hit, found);
             if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
             Lobes lobes = evaluate_material(SCENE_ s, path.ray.direction);
+            LayerColors layered;
+            if (FEATURE(FEATURE_PATTERNED)) {
+                path.weight = path.weight * inside_transmittance(SCENE_ s, hit.t, found);
+                evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
+            }
             real3 base;
             real3 highlight;
-            direct_light(SCENE_ s, lobes, -path.ray.direction, found, counts, base, highlight);
+            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, found, counts, base, highlight);
             if (is_first && FRAME.aovs != 0u) {
                 first.t = select(found, hit.t, first.t);
                 first.normal = select(found, s.normal, black);
-                first.albedo = select(found, lobes.diffuse, black);
+                first.albedo = select(found, lobes.albedo, black);
                 first.geometry = select(found, s.geometry, word(NONE));
                 first.primitive = select(found, s.primitive, word(NONE));
                 first.material = select(found, s.material, word(NONE));
@@ -138,7 +162,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                 real3 r = select(reflects, lobes.reflectance, black);
                 real3 t = select(transmits, lobes.transmittance, black);
                 real3 one = real3(real(1.0f));
-                real3 own = base * max(one - r - t, black) + highlight * (one - r);
+                real3 thinned = base * max(one - r - t, black) + highlight * (one - r);
+                real3 own = select(lobes.patterned, base + highlight, thinned);
                 radiance = radiance + select(found, path.weight * own, black);
 
                 follow = mask_or(reflects, transmits);
@@ -189,6 +214,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         }
         path.alive = follow;
         is_first = false;
+        path_kind = RAY_REFLECTED;
         if (!any_lane(follow)) {
             if (waiting_count == 0u) break;
             waiting_count = waiting_count - 1u;

@@ -1,21 +1,90 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights without size, and what a light does to a surface.
+// What a light sends to a point: from where, how much.
 #ifndef SUNDOG_KERNEL_LIGHTS_LIGHT_H
 #define SUNDOG_KERNEL_LIGHTS_LIGHT_H
 
+#include "kernel/math.h"
 #include "kernel/rays.h"
 
 KERNEL_BEGIN
 
-/// Unit direction and distance from a point to a light; a sun is infinitely far.
+/// Unit direction and distance from a point to a light; a sun is infinitely far, a cylinder's rays are parallel.
 FN real3 direction_to_light(Light light, real3 point, OUT(real) distance) {
     if (light.kind == LIGHT_SUN) {
         distance = real(3.0e38f);
         return real3(light.place);
     }
+    if (light.kind == LIGHT_CYLINDER) {
+        distance = dot(point - real3(light.place), real3(light.axis));
+        return real3(-light.axis);
+    }
     real3 to_light = real3(light.place) - point;
     distance = length(to_light);
     return to_light * (1.0f / max(distance, real(1e-30f)));
+}
+
+/// 0 below `low`, 1 above `high`, a smooth cubic between.
+FN real smooth_step(float low, float high, real x) {
+    float range = high - low;
+    if (range <= 0.0f) return select(x >= real(high), real(1.0f), real(0.0f));
+    real t = clamp((x - low) * (1.0f / range), real(0.0f), real(1.0f));
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// Share of a spot's or cylinder's light that goes to a point (1 for other kinds), with its fading over the distance
+/// (POV-Ray's reference, sections 3.4.5.2 "Spotlights", 3.4.5.3 "Cylindrical Lights" and 3.4.5.10 "Light Fading").
+FN real light_share(Light light, real3 point, real3 to_light, real distance) {
+    real share = real(1.0f);
+    if (light.kind == LIGHT_SPOT) {
+        real cosine_off = -dot(to_light, real3(light.axis));
+        share = smooth_step(light.dark, light.bright, cosine_off);
+        if (light.tightness > 0.0f) share = share * power(max(cosine_off, real(0.0f)), real(light.tightness));
+    } else if (light.kind == LIGHT_CYLINDER) {
+        real3 from_light = point - real3(light.place);
+        real along = dot(from_light, real3(light.axis));
+        real3 off = from_light - real3(light.axis) * along;
+        real radius = length(off);
+        share = 1.0f - smooth_step(light.bright, light.dark, radius);
+        share = select(along > real(0.0f), share, real(0.0f));
+        if (light.tightness > 0.0f) {
+            real inward = max(1.0f - radius * (1.0f / max(light.dark, 1e-20f)), real(0.0f));
+            share = share * power(inward, real(light.tightness));
+        }
+    }
+    if (light.fade_power > 0.0f && light.kind != LIGHT_SUN) {
+        if (light.fade_distance > 0.0f) {
+            real relative = distance * (1.0f / light.fade_distance);
+            share = share * (2.0f / (1.0f + power(relative, real(light.fade_power))));
+        } else {
+            share = share / max(power(distance, real(light.fade_power)), real(1e-30f));
+        }
+    }
+    return share;
+}
+
+/// Where light (u, v) of an area stands, seen from a point: the grid's corners are the area's.
+FN real3 area_light_place(Light light, uint u, uint v, real3 to_light) {
+    float s = light.area_count_u > 1u ? float(u) / float(light.area_count_u - 1u) - 0.5f : 0.0f;
+    float t = light.area_count_v > 1u ? float(v) / float(light.area_count_v - 1u) - 0.5f : 0.0f;
+    if ((light.flags & LIGHT_CIRCULAR) != 0u) {
+        // Squares around the middle become circles: as far out along their rays as the square's side was.
+        float reach = sqrt(s * s + t * t);
+        float square = max(abs(s), abs(t));
+        float bend = reach > 0.0f ? square / reach : 1.0f;
+        s = s * bend;
+        t = t * bend;
+    }
+    real3 side_u = real3(light.area_u);
+    real3 side_v = real3(light.area_v);
+    if ((light.flags & LIGHT_ORIENT) != 0u) {
+        real3 x_axis = real3(real(1.0f), real(0.0f), real(0.0f));
+        real3 y_axis = real3(real(0.0f), real(1.0f), real(0.0f));
+        real3 aside = cross(to_light, select(abs(to_light.x) < real(0.9f), x_axis, y_axis));
+        aside = normalize(aside);
+        side_u = aside * length(light.area_u);
+        side_v = cross(to_light, aside) * length(light.area_v);
+    }
+    return real3(light.place) + side_u * s + side_v * t;
 }
 
 KERNEL_END

@@ -4,7 +4,8 @@
 #ifndef SUNDOG_KERNEL_LIGHTS_SHADOW_H
 #define SUNDOG_KERNEL_LIGHTS_SHADOW_H
 
-#include "kernel/materials/material.h"
+#include "kernel/lights/light.h"
+#include "kernel/materials/layers.h"
 #include "kernel/rays.h"
 
 KERNEL_BEGIN
@@ -17,12 +18,12 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
     counts.rays = counts.rays + one;
     counts.shadow_rays = counts.shadow_rays + one;
     if (!FEATURE(FEATURE_TRANSPARENT)) {
-        mask blocked = trace_any(SCENE_ ray, alive);
+        mask blocked = trace_any(SCENE_ ray, alive, RAY_SHADOW);
         return select(blocked, real3(real(0.0f)), real3(real(1.0f)));
     }
     real3 transmittance = real3(real(1.0f));
     for (uint surface = 0u; surface < MAX_SHADOW_SURFACES; surface = surface + 1u) {
-        Hit hit = trace_closest(SCENE_ ray, alive, true);
+        Hit hit = trace_closest(SCENE_ ray, alive, RAY_SHADOW);
         alive = mask_and(alive, hit.geometry != word(NONE));
         if (!any_lane(alive)) return transmittance;
         // Most of what stands in the way is opaque: that is told from the material alone.
@@ -33,7 +34,13 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
         if (!any_lane(alive)) return transmittance;
         Surface s = surface_at(SCENE_ ray, hit, alive);
         Lobes lobes = evaluate_material(SCENE_ s, ray.direction);
-        transmittance = select(alive, transmittance * lobes.transmittance, transmittance);
+        real3 passes = lobes.transmittance;
+        if (FEATURE(FEATURE_PATTERNED)) {
+            LayerColors layered;
+            evaluate_layers(SCENE_ s, ray.direction, alive, true, lobes, layered);
+            passes = lobes.transmittance * inside_transmittance(SCENE_ s, hit.t, alive);
+        }
+        transmittance = select(alive, transmittance * passes, transmittance);
         alive = mask_and(alive, max(transmittance.x, max(transmittance.y, transmittance.z)) > real(0.0f));
         if (!any_lane(alive)) return transmittance;
         // On from the far side of that surface; a lamp's distance shrinks by what was passed.
@@ -42,6 +49,33 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
         alive = mask_and(alive, ray.t_max > real(0.0f));
     }
     return select(alive, real3(real(0.0f)), transmittance);
+}
+
+/// Share of a light that reaches the lanes of `lit`, whose shadow ray starts at `origin`: of one point, or the mean
+/// over an area's.
+FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real distance, mask lit,
+                          INOUT(RayCounts) counts) {
+    Ray shadow;
+    shadow.origin = origin;
+    shadow.direction = to_light;
+    shadow.t_min = real(0.0f);
+    shadow.t_max = distance;
+    uint count = light.area_count_u * light.area_count_v;
+    real3 sum = real3(real(0.0f));
+    for (uint i = 0u; i < count; i = i + 1u) {
+        if (count > 1u) {
+            real3 place = area_light_place(light, i % light.area_count_u, i / light.area_count_u, to_light);
+            if (light.kind == LIGHT_SUN) {
+                shadow.direction = normalize(place);
+            } else {
+                real3 to_place = place - origin;
+                shadow.t_max = length(to_place);
+                shadow.direction = to_place * (1.0f / max(shadow.t_max, real(1e-30f)));
+            }
+        }
+        sum = sum + shadow_transmittance(SCENE_ shadow, lit, counts);
+    }
+    return count > 1u ? sum * real(1.0f / float(count)) : sum;
 }
 
 KERNEL_END

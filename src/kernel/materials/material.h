@@ -20,7 +20,10 @@ struct Lobes {
     mask phong;  ///< Highlight by Phong's formula, else by Blinn's.
     real3 reflectance;
     real3 transmittance;
-    real eta;  ///< Index of refraction on the ray's side over that on the other.
+    real eta;        ///< Index of refraction on the ray's side over that on the other.
+    real3 albedo;    ///< What an albedo AOV shows.
+    mask patterned;  ///< A texture of layers (layers.h), whose own light is not thinned by what it reflects or lets
+                     ///< through.
 };
 
 /// Textures' part of evaluate_material.
@@ -100,6 +103,7 @@ FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
     lobes.reflectance = real3(real(0.0f));
     lobes.transmittance = real3(real(0.0f));
     lobes.eta = real(1.0f);
+    lobes.patterned = (flags & word(MATERIAL_PATTERNED)) != word(0u);
     if (FEATURE(FEATURE_MIRRORS)) lobes.reflectance = FIELD(materials, s.material, reflectance);
     if (FEATURE(FEATURE_TRANSPARENT)) {
         lobes.transmittance = FIELD(materials, s.material, transmittance);
@@ -130,6 +134,7 @@ FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
             lobes.transmittance = select(thrown_back, real3(real(0.0f)), lobes.transmittance);
         }
     }
+    lobes.albedo = lobes.diffuse;
     return lobes;
 }
 

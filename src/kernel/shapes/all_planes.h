@@ -8,7 +8,10 @@
 KERNEL_BEGIN
 
 /// Where a plane is hit nearer than t_max, in the lanes of `alive`; honours back-face culling.
-FN mask hit_plane(SCENE Plane plane, Ray ray, mask alive, OUT(real) t) {
+FN mask hit_plane(SCENE Plane plane, Ray ray, uint ray_kind, mask alive, OUT(real) t) {
+    if (FEATURE(FEATURE_HIDDEN)) {
+        if ((AT(geometries, plane.geometry).hidden_from & ray_kind) != 0u) alive = mask_and(alive, mask_not(alive));
+    }
     uint instance = AT(geometries, plane.geometry).instance;
     if (instance != NONE) {
         Instance i = AT(instances, instance);
@@ -29,12 +32,12 @@ FN mask hit_plane(SCENE Plane plane, Ray ray, mask alive, OUT(real) t) {
 }
 
 /// Replaces `hit` by the nearest plane where one is nearer.
-FN void closest_plane(SCENE Ray ray, mask alive, INOUT(Hit) hit) {
+FN void closest_plane(SCENE Ray ray, uint ray_kind, mask alive, INOUT(Hit) hit) {
     ray.t_max = select(hit.geometry != word(NONE), hit.t, ray.t_max);
     for (uint i = 0u; i < FRAME.plane_count; i = i + 1u) {
         Plane plane = AT(planes, i);
         real t;
-        mask found = hit_plane(SCENE_ plane, ray, alive, t);
+        mask found = hit_plane(SCENE_ plane, ray, ray_kind, alive, t);
         ray.t_max = select(found, t, ray.t_max);
         hit.t = select(found, t, hit.t);
         hit.u = select(found, real(0.0f), hit.u);
@@ -46,12 +49,12 @@ FN void closest_plane(SCENE Ray ray, mask alive, INOUT(Hit) hit) {
 }
 
 /// True where any plane is hit.
-FN mask any_plane(SCENE Ray ray, mask alive) {
+FN mask any_plane(SCENE Ray ray, uint ray_kind, mask alive) {
     mask blocked = mask_and(alive, mask_not(alive));
     for (uint i = 0u; i < FRAME.plane_count; i = i + 1u) {
         Plane plane = AT(planes, i);
         real t;
-        blocked = mask_or(blocked, hit_plane(SCENE_ plane, ray, alive, t));
+        blocked = mask_or(blocked, hit_plane(SCENE_ plane, ray, ray_kind, alive, t));
     }
     return blocked;
 }

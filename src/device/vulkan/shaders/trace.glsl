@@ -49,9 +49,10 @@ bool is_culled(uint material, vec3 normal, vec3 direction) {
 }
 
 /// Tests the primitive at `place` of the leaves; where it is nearer than ray.t_max, makes it the hit.
-bool hit_leaf(uint place, Ray ray, inout Hit hit) {
+bool hit_leaf(uint place, Ray ray, uint ray_kind, inout Hit hit) {
     LeafShape shape = leaf_shapes[place];
     LeafRef ref = leaf_refs[place];
+    if (FEATURE(FEATURE_HIDDEN) && (geometries[ref.geometry].hidden_from & ray_kind) != 0u) return false;
     float t;
     float u = 0.0f;
     float v = 0.0f;
@@ -76,10 +77,10 @@ bool hit_leaf(uint place, Ray ray, inout Hit hit) {
 ///
 /// One loop for both levels. Where things move, nodes[0] is the root of the top level, whose leaves are hierarchies:
 /// their roots wait in `pending` until the ray, carried to their space, has gone through each.
-Hit trace(Ray world_ray, bool any_will_do) {
+Hit trace(Ray world_ray, uint ray_kind, bool any_will_do) {
     Hit hit = Hit(world_ray.t_max, 0.0f, 0.0f, NONE, NONE, vec3(0.0f));
     if (FEATURE(FEATURE_ANALYTIC)) {
-        closest_plane(world_ray, true, hit);
+        closest_plane(world_ray, ray_kind, true, hit);
         if (any_will_do && hit.geometry != NONE) return hit;
     }
     NodeGroup stack[stack_size];
@@ -141,19 +142,19 @@ Hit trace(Ray world_ray, bool any_will_do) {
                 uint place = node.primitive_base + uint(findLSB(primitive_hits));
                 primitive_hits &= primitive_hits - 1u;
                 ray.t_max = hit.t;
-                if (hit_leaf(place, ray, hit) && any_will_do) return hit;
+                if (hit_leaf(place, ray, ray_kind, hit) && any_will_do) return hit;
             }
         }
     }
     return hit;
 }
 
-Hit trace_closest(Ray ray, bool alive, bool coherent_rays) {
+Hit trace_closest(Ray ray, bool alive, uint ray_kind) {
     if (!alive) return Hit(ray.t_max, 0.0f, 0.0f, NONE, NONE, vec3(0.0f));
-    return trace(ray, false);
+    return trace(ray, ray_kind, false);
 }
 
-bool trace_any(Ray ray, bool alive) {
+bool trace_any(Ray ray, bool alive, uint ray_kind) {
     if (!alive) return false;
-    return trace(ray, true).geometry != NONE;
+    return trace(ray, ray_kind, true).geometry != NONE;
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/lights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compile/convert.h"
+
+namespace sundog {
+namespace {
+
+std::uint32_t kind_of(scene::Light::Kind kind) {
+    switch (kind) {
+        case scene::Light::Kind::lamp:
+            return kernel::LIGHT_LAMP;
+        case scene::Light::Kind::sun:
+            return kernel::LIGHT_SUN;
+        case scene::Light::Kind::spotlight:
+            return kernel::LIGHT_SPOT;
+        case scene::Light::Kind::cylinder:
+            return kernel::LIGHT_CYLINDER;
+    }
+    return kernel::LIGHT_LAMP;
+}
+
+void set_area(const scene::LightArea& area, kernel::Light& out) {
+    out.area_u = to_kernel(area.axis1);
+    out.area_v = to_kernel(area.axis2);
+    out.area_count_u = static_cast<std::uint32_t>(std::max(area.size1, 1));
+    out.area_count_v = static_cast<std::uint32_t>(std::max(area.size2, 1));
+    if (area.circular) out.flags |= kernel::LIGHT_CIRCULAR;
+    if (area.orient) out.flags |= kernel::LIGHT_ORIENT;
+    if (area.jitter) out.flags |= kernel::LIGHT_JITTER;
+}
+
+}  // namespace
+
+kernel::Light light_at(const scene::Light& light, float time_s) {
+    Vec3 place = scene::place_at(light, time_s);
+    if (light.kind == scene::Light::Kind::sun) {
+        place = normalize(place);
+        // A moving sun may pass through the origin, where it has no direction; straight above is as good as any.
+        if (place == Vec3{}) place = {0, 0, 1};
+    }
+    kernel::Light out{};
+    out.place = to_kernel(place);
+    out.color = to_kernel(light.color);
+    out.kind = kind_of(light.kind);
+    out.flags = (light.shadows ? kernel::LIGHT_SHADOWS : 0U) | (light.highlights ? kernel::LIGHT_HIGHLIGHTS : 0U);
+    if (out.kind == kernel::LIGHT_SPOT || out.kind == kernel::LIGHT_CYLINDER) {
+        const Vec3 axis = normalize(light.point_at - place);
+        out.axis = to_kernel(axis == Vec3{} ? Vec3{0, 0, 1} : axis);
+    }
+    if (out.kind == kernel::LIGHT_SPOT) {
+        out.bright = std::cos(radians(light.radius));
+        out.dark = std::cos(radians(light.falloff));
+    } else {
+        out.bright = light.radius;
+        out.dark = light.falloff;
+    }
+    out.tightness = light.tightness;
+    out.fade_distance = light.fade_distance;
+    out.fade_power = light.fade_power;
+    out.area_count_u = out.area_count_v = 1;
+    if (light.area) set_area(*light.area, out);
+    return out;
+}
+
+}  // namespace sundog

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pigments into programs, textures of layers into the kernel's arrays.
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "device/render_scene.h"
+#include "scene/scene.h"
+
+namespace sundog {
+
+/// Compiles a scene's procedural surfaces into `patterned`, `layers` and `code` of a RenderScene, and its sky into
+/// `sky_layers` and `fogs`. A texture that many surfaces share is compiled once.
+class PatternCompiler {
+public:
+    /// Both must outlive the compiler.
+    PatternCompiler(const scene::Scene& scene, RenderScene& out) : scene_(scene), out_(out) {}
+
+    /// The kernel's material for one whose `patterned` is set. Errors: InputError for more than MAX_LAYERS layers,
+    /// pigment maps nested deeper than PROGRAM_SLOTS.
+    kernel::Material compile_surface(const scene::Material& material);
+    /// Sky spheres and fogs. Errors as above.
+    void compile_sky();
+
+private:
+    struct Layers {
+        std::uint32_t first = 0, count = 0;
+        bool transparent = false, reflective = false;
+    };
+    const Layers& layers_of(const scene::Material& material);
+    std::uint32_t program_of(const scene::Pigment& pigment);
+
+    const scene::Scene& scene_;
+    RenderScene& out_;
+    std::map<const scene::LayeredTexture*, Layers> compiled_;
+};
+
+/// FEATURE_* bits that a material of layers needs; 0 for others.
+std::uint32_t pattern_features(const RenderScene& scene, const kernel::Material& material);
+
+}  // namespace sundog

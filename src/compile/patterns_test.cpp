@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pigments compiled to programs and run by the kernel, one point at a time.
+#include "compile/patterns.h"
+
+#include <gtest/gtest.h>
+
+#include "kernel/patterns/program.h"
+
+namespace sundog {
+namespace {
+
+using scene::Pattern;
+using scene::Pigment;
+using scene::PigmentColor;
+using scene::PigmentEntry;
+
+constexpr PigmentColor kRed{1, 0, 0, 0, 0};
+constexpr PigmentColor kBlue{0, 0, 1, 0, 0};
+constexpr PigmentColor kGlass{0.5F, 1, 0.5F, 0.25F, 0.5F};
+
+std::shared_ptr<Pigment> solid(PigmentColor color) {
+    auto pigment = std::make_shared<Pigment>();
+    pigment->color = color;
+    return pigment;
+}
+
+std::shared_ptr<Pigment> gradient(std::vector<PigmentEntry> entries) {
+    auto pigment = std::make_shared<Pigment>();
+    pigment->kind = Pigment::Kind::mapped;
+    pigment->pattern.kind = Pattern::Kind::gradient;
+    pigment->entries = std::move(entries);
+    return pigment;
+}
+
+std::shared_ptr<Pigment> choice(Pattern::Kind kind, std::vector<PigmentEntry> entries) {
+    auto pigment = std::make_shared<Pigment>();
+    pigment->kind = Pigment::Kind::choice;
+    pigment->pattern.kind = kind;
+    pigment->entries = std::move(entries);
+    return pigment;
+}
+
+/// A compiled texture of one layer, and its pigment asked at points.
+class Compiled {
+public:
+    explicit Compiled(std::shared_ptr<const Pigment> pigment) {
+        auto texture = std::make_shared<scene::LayeredTexture>();
+        texture->layers.push_back({std::move(pigment), {}});
+        scene::Material material;
+        material.patterned = scene::PatternedSurface{texture, {}, {}};
+        PatternCompiler compiler(scene_, out_);
+        material_ = compiler.compile_surface(material);
+        view_.code = out_.code.data();
+    }
+    [[nodiscard]] kernel::PigmentColor at(float x, float y, float z) const {
+        const kernel::Layer& layer = out_.layers[out_.patterned[material_.patterned].first_layer];
+        return kernel::run_program(view_, layer.program, {x, y, z});
+    }
+    [[nodiscard]] const kernel::Material& material() const { return material_; }
+
+private:
+    scene::Scene scene_;
+    RenderScene out_;
+    kernel::Material material_{};
+    kernel::SceneView view_{};
+};
+
+void expect_color(const kernel::PigmentColor& c, float r, float g, float b) {
+    EXPECT_NEAR(c.rgb.x, r, 1e-5F);
+    EXPECT_NEAR(c.rgb.y, g, 1e-5F);
+    EXPECT_NEAR(c.rgb.z, b, 1e-5F);
+}
+
+// Catches a map that mixes the wrong neighbours, drops what lies before the first or behind the last entry, or blurs a
+// hard edge (two entries at one position).
+TEST(Patterns, AColorMapMixesNeighboursAndKeepsHardEdges) {
+    const Compiled c(gradient({{0.2F, kRed, {}}, {0.6F, kBlue, {}}, {0.6F, kRed, {}}, {0.9F, kBlue, {}}}));
+    expect_color(c.at(0.1F, 0, 0), 1, 0, 0);
+    expect_color(c.at(0.3F, 0, 0), 0.75F, 0, 0.25F);
+    expect_color(c.at(0.5999F, 0, 0), 0.00025F, 0, 0.99975F);
+    expect_color(c.at(0.6001F, 0, 0), 0.99966F, 0, 0.00033F);
+    expect_color(c.at(0.95F, 0, 0), 0, 0, 1);
+    expect_color(c.at(-0.7F, 0, 0), 0.75F, 0, 0.25F);  // the ramp repeats below 0, too
+}
+
+// Catches checkers whose squares change sides at the origin.
+TEST(Patterns, ACheckerAlternatesInAllDirections) {
+    const Compiled c(choice(Pattern::Kind::checker, {{0, kRed, {}}, {0, kBlue, {}}}));
+    expect_color(c.at(0.5F, 0.5F, 0.5F), 1, 0, 0);
+    expect_color(c.at(-0.5F, 0.5F, 0.5F), 0, 0, 1);
+    expect_color(c.at(-0.5F, -0.5F, 0.5F), 1, 0, 0);
+    expect_color(c.at(-0.5F, -0.5F, -0.5F), 0, 0, 1);
+}
+
+// Catches nested maps whose inner values or colours land in the outer one's slots.
+TEST(Patterns, PigmentMapsNest) {
+    const auto inner = choice(Pattern::Kind::checker, {{0, kRed, {}}, {0, kBlue, {}}});
+    const Compiled c(
+        gradient({{0, {}, gradient({{0, kBlue, {}}, {1, kRed, {}}})}, {0.5F, {}, inner}, {1, kGlass, {}}}));
+    // x = 0.25: half of the inner gradient at 0.25, half of the checker's red.
+    expect_color(c.at(0.25F, 0.5F, 0.5F), 0.5F * 0.25F + 0.5F, 0, 0.5F * 0.75F);
+    const kernel::PigmentColor mixed = c.at(0.75F, 0.5F, 0.5F);
+    expect_color(mixed, 0.75F, 0.5F, 0.25F);
+    EXPECT_NEAR(mixed.filtered, 0.125F, 1e-6F);
+    EXPECT_NEAR(mixed.transmitted, 0.25F, 1e-6F);
+}
+
+// Catches a transform applied the wrong way round.
+TEST(Patterns, PatternsAreAskedInTheirOwnSpace) {
+    auto pigment = gradient({{0, kRed, {}}, {1, kBlue, {}}});
+    pigment->pattern.pattern_from_texture.x = {0.5, 0, 0};    // scaled by 2 ...
+    pigment->pattern.pattern_from_texture.t = {-0.25, 0, 0};  // ... then moved by 0.5
+    const Compiled c(pigment);
+    expect_color(c.at(1.5F, 0, 0), 0.5F, 0, 0.5F);
+}
+
+// Catches glass that is taken for opaque (and casts a full shadow), and the reverse.
+TEST(Patterns, KnowsWhatLetsLightThrough) {
+    EXPECT_EQ(Compiled(solid(kRed)).material().flags & kernel::MATERIAL_TRANSPARENT, 0U);
+    EXPECT_NE(Compiled(solid(kGlass)).material().flags & kernel::MATERIAL_TRANSPARENT, 0U);
+    EXPECT_NE(
+        Compiled(gradient({{0, kRed, {}}, {1, {}, solid(kGlass)}})).material().flags & kernel::MATERIAL_TRANSPARENT,
+        0U);
+}
+
+// Catches a program that writes over the kernel's slots where maps nest too deep.
+TEST(Patterns, RefusesMapsNestedTooDeep) {
+    std::shared_ptr<const Pigment> pigment = solid(kRed);
+    for (int i = 0; i < 7; ++i) pigment = gradient({{0, {}, pigment}, {1, kBlue, {}}});
+    EXPECT_NO_THROW(Compiled{pigment});
+    EXPECT_THROW(Compiled{gradient({{0, {}, pigment}})}, InputError);
+}
+
+}  // namespace
+}  // namespace sundog

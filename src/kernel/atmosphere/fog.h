@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef SUNDOG_KERNEL_ATMOSPHERE_FOG_H
+#define SUNDOG_KERNEL_ATMOSPHERE_FOG_H
+
+#include "kernel/math.h"
+#include "kernel/rays.h"
+
+KERNEL_BEGIN
+
+/// Density of ground fog from its foot up to relative height z: 1 below z = 0, 1/(1+z)^2 above.
+FN real ground_fog_depth(real z) {
+    real up = max(z, real(0.0f));
+    return select(z < real(0.0f), z, up / (1.0f + up));
+}
+
+/// Share of light, per channel, that gets through a fog over `distance` along a ray; `glow` is what the fog adds
+/// (POV-Ray's reference, section 3.4.4.2 "Fog").
+FN real3 fog_transmittance(Fog fog, Ray ray, real distance, OUT(real3) glow) {
+    real length_in_fog = min(distance, real(1.0e7f));
+    if (fog.ground != 0u) {
+        float per_altitude = 1.0f / max(fog.altitude, 1e-20f);
+        real z0 = (dot(ray.origin, real3(fog.up)) - fog.offset) * per_altitude;
+        real rise = dot(ray.direction, real3(fog.up)) * length_in_fog * per_altitude;
+        real z1 = z0 + rise;
+        mask level = abs(rise) < real(1e-3f);
+        real up = 1.0f + max(z0, real(0.0f));
+        real mean = select(level, 1.0f / (up * up),
+                           (ground_fog_depth(z1) - ground_fog_depth(z0)) / select(level, real(1.0f), rise));
+        length_in_fog = length_in_fog * mean;
+    }
+    real clear = exp2_clamped(length_in_fog * (-1.44269504f / max(fog.distance, 1e-20f)));
+    clear = max(clear, real(fog.transmit_share));
+    real3 color = real3(fog.color);
+    glow = color * (1.0f - clear);
+    return (real3(real(1.0f - fog.filter_share)) + color * real(fog.filter_share)) * clear;
+}
+
+/// All fogs on the way of `distance` along a ray: dims `weight` and returns what they add to the radiance that it
+/// carries.
+FN real3 fog_radiance(SCENE Ray ray, real distance, INOUT(real3) weight) {
+    real3 sum = real3(real(0.0f));
+    for (uint i = 0u; i < FRAME.fog_count; i = i + 1u) {
+        real3 glow;
+        real3 passes = fog_transmittance(AT(fogs, i), ray, distance, glow);
+        sum = sum + weight * glow;
+        weight = weight * passes;
+    }
+    return sum;
+}
+
+KERNEL_END
+
+#endif

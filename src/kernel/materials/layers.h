@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures of layers, each a pigment and a finish, as POV-Ray's reference describes them (section 3.5 "Texture"). Light
+// is additive: what is reflected takes nothing from a surface's own colour.
+#ifndef SUNDOG_KERNEL_MATERIALS_LAYERS_H
+#define SUNDOG_KERNEL_MATERIALS_LAYERS_H
+
+#include "kernel/materials/material.h"
+#include "kernel/patterns/program.h"
+
+KERNEL_BEGIN
+
+/// What lighting a texture needs to know of each of its layers at a point, the top one first.
+struct LayerColors {
+    real3 own[MAX_LAYERS];    ///< The pigment's share that doesn't let light through, as seen through the layers above.
+    real3 above[MAX_LAYERS];  ///< What the layers above let through.
+    real3 tint[MAX_LAYERS];   ///< The pigment: metals colour their highlights by it.
+};
+
+/// How a metal tints what it reflects: by its colour, but white at grazing incidence (Schlick 1994).
+FN real3 metallic_tint(real3 color, real metallic, real cosine) {
+    real3 toward_white = fresnel_schlick(color, cosine);
+    return mix(real3(real(1.0f)), toward_white, metallic);
+}
+
+/// Reflectance of a layer under a cosine between its normal and the ray.
+FN real3 layer_reflectance(Layer layer, float ior, real3 color, real cos_in, mask from_behind) {
+    real c = clamp(cos_in, real(0.0f), real(1.0f));
+    real angle_share;
+    if ((layer.flags & LAYER_FRESNEL) != 0u) {
+        angle_share = fresnel_dielectric(c, select(from_behind, real(ior), real(1.0f / ior)));
+    } else {
+        angle_share = power(1.0f - c, real(layer.reflection_falloff));
+    }
+    real3 r = mix(real3(layer.reflection_min), real3(layer.reflection_max), angle_share);
+    if (layer.reflection_metallic > 0.0f) r = r * metallic_tint(color, real(layer.reflection_metallic), c);
+    return r;
+}
+
+/// Puts the textures of those lanes of `found` that have one into `lobes`, and their layers into `layered`. For a
+/// shadow ray, which goes straight on, nothing is thrown back by total internal reflection.
+FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool for_shadow, INOUT(Lobes) lobes,
+                              OUT(LayerColors) layered) {
+    real3 black = real3(real(0.0f));
+    for (uint l = 0u; l < MAX_LAYERS; l = l + 1u) {
+        layered.own[l] = black;
+        layered.above[l] = black;
+        layered.tint[l] = black;
+    }
+    word index = FIELD(materials, s.material, patterned);
+    mask todo = mask_and(found, lobes.patterned);
+    real cos_in = -dot(s.normal, incoming);
+    while (any_lane(todo)) {
+        uint i = first_lane(todo, index);
+        mask here = mask_and(todo, index == word(i));
+        todo = mask_and(todo, mask_not(here));
+        PatternedMaterial m = AT(patterned, i);
+        real3 p = s.position;
+        real3 point = real3(m.texture_from_world_x) * p.x + real3(m.texture_from_world_y) * p.y +
+                      real3(m.texture_from_world_z) * p.z + real3(m.texture_from_world_t);
+        real3 above = real3(real(1.0f));
+        real3 emission = black;
+        real3 ambient = black;
+        real3 albedo = black;
+        real3 reflectance = black;
+        for (uint l = 0u; l < m.layer_count; l = l + 1u) {
+            Layer layer = AT(layers, m.first_layer + l);
+            real3 at = point;
+            if (layer.uses_uv != 0u) at = real3(s.uv.x, s.uv.y, real(0.0f));
+            PigmentColor c = run_program(SCENE_ layer.program, at);
+            real3 own = above * c.rgb * max(1.0f - c.filtered - c.transmitted, real(0.0f));
+            layered.own[l] = select(here, own, layered.own[l]);
+            layered.above[l] = select(here, above, layered.above[l]);
+            layered.tint[l] = select(here, c.rgb, layered.tint[l]);
+            emission = emission + own * real3(layer.emission);
+            ambient = ambient + own * real3(layer.ambient);
+            albedo = albedo + own * real(layer.diffuse);
+            real3 r = layer_reflectance(layer, m.ior, c.rgb, cos_in, s.from_behind);
+            reflectance = reflectance + above * r;
+            above = above * (c.rgb * c.filtered + real3(c.transmitted));
+            if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u) above = above * max(real3(real(1.0f)) - r, black);
+        }
+        lobes.emission = select(here, emission, lobes.emission);
+        lobes.ambient = select(here, ambient, lobes.ambient);
+        lobes.albedo = select(here, albedo, lobes.albedo);
+        // Total internal reflection throws back all that would have passed.
+        real eta = select(s.from_behind, real(m.ior), real(1.0f / m.ior));
+        mask total = mask_and(eta * eta * (1.0f - cos_in * cos_in) >= real(1.0f), mask(!for_shadow));
+        lobes.reflectance = select(here, reflectance + select(total, above, black), lobes.reflectance);
+        lobes.transmittance = select(here, select(total, black, above), lobes.transmittance);
+        lobes.eta = select(here, eta, lobes.eta);
+    }
+}
+
+/// Adds what one light does to the lanes of `lit` that have textures: to `base` matt light, to `highlight` highlights.
+FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patterned_lanes, real3 light_color,
+                     uint light_flags, real3 to_light, real3 to_eye, INOUT(real3) base, INOUT(real3) highlight) {
+    real3 black = real3(real(0.0f));
+    word index = FIELD(materials, s.material, patterned);
+    mask todo = mask_and(lit, patterned_lanes);
+    real cosine = max(dot(s.normal, to_light), real(0.0f));
+    while (any_lane(todo)) {
+        uint i = first_lane(todo, index);
+        mask here = mask_and(todo, index == word(i));
+        todo = mask_and(todo, mask_not(here));
+        PatternedMaterial m = AT(patterned, i);
+        for (uint l = 0u; l < m.layer_count; l = l + 1u) {
+            Layer layer = AT(layers, m.first_layer + l);
+            real share = cosine;
+            if (layer.brilliance != 1.0f) share = power(cosine, real(layer.brilliance));
+            base = base + select(here, layered.own[l] * light_color * (share * layer.diffuse), black);
+            if ((light_flags & LIGHT_HIGHLIGHTS) != 0u) {
+                if (layer.phong > 0.0f || layer.specular > 0.0f) {
+                    real shine = real(0.0f);
+                    if (layer.phong > 0.0f)
+                        shine = layer.phong * phong_highlight(s.normal, to_light, to_eye, real(layer.phong_size));
+                    if (layer.specular > 0.0f)
+                        shine = shine + layer.specular * blinn_phong_highlight(s.normal, to_light, to_eye,
+                                                                               real(layer.specular_exponent));
+                    real3 color = layered.above[l] * light_color * shine;
+                    if (layer.metallic > 0.0f)
+                        color = color * metallic_tint(layered.tint[l], real(layer.metallic), cosine);
+                    highlight = highlight + select(here, color, black);
+                }
+            }
+        }
+    }
+}
+
+/// Share of light, per channel, that gets through `distance` of the inside of what a ray leaves here; 1 where it
+/// doesn't come from inside, or the inside is clear (reference, section 3.5.7.3 "Attenuation").
+FN real3 inside_transmittance(SCENE Surface s, real distance, mask found) {
+    real3 white = real3(real(1.0f));
+    real3 passes = white;
+    word flags = FIELD(materials, s.material, flags);
+    mask todo = mask_and(mask_and(found, s.from_behind), (flags & word(MATERIAL_PATTERNED)) != word(0u));
+    if (!any_lane(todo)) return passes;
+    word index = FIELD(materials, s.material, patterned);
+    while (any_lane(todo)) {
+        uint i = first_lane(todo, index);
+        mask here = mask_and(todo, index == word(i));
+        todo = mask_and(todo, mask_not(here));
+        PatternedMaterial m = AT(patterned, i);
+        if (m.fade_power > 0.0f) {
+            real depth = distance * (1.0f / max(m.fade_distance, 1e-20f));
+            real clear;
+            if (m.fade_power >= 1000.0f) {
+                clear = exp2_clamped(depth * -1.44269504f);
+            } else {
+                clear = 1.0f / (1.0f + power(depth, real(m.fade_power)));
+            }
+            real3 dimmed = real3(m.fade_color) + (white - real3(m.fade_color)) * clear;
+            passes = select(here, dimmed, passes);
+        }
+    }
+    return passes;
+}
+
+KERNEL_END
+
+#endif

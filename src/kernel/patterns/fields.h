@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Patterns: a number, or a choice from a list, for every point of space. Meanings are those of POV-Ray's
+// reference, section 3.5.11 "Patterns".
+#ifndef SUNDOG_KERNEL_PATTERNS_FIELDS_H
+#define SUNDOG_KERNEL_PATTERNS_FIELDS_H
+
+#include "kernel/math.h"
+#include "kernel/patterns/noise.h"
+#include "kernel/rays.h"
+
+KERNEL_BEGIN
+
+/// x - floor(x): in [0, 1).
+FN real fraction(real x) { return x - floor(x); }
+
+/// A field of noise before its wave form. `parameters`: agate's x is its amount of turbulence.
+FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint generator) {
+    if (kind == FIELD_NOISE) return noise_value(p, generator);
+    if (kind == FIELD_GRANITE) return min(folded_noise(p, 6u, 4.0f, generator) * 2.1f, real(1.0f));
+    if (kind == FIELD_WRINKLES)
+        return clamp(0.5f + turbulence_scalar(p, 10u, 2.0f, 0.5f, generator), real(0.0f), real(1.0f));
+    if (kind == FIELD_DENTS) {
+        real n = noise_value(p, generator);
+        return n * n * n;
+    }
+    // agate: bands across z, bent by turbulence.
+    real bent = turbulence_scalar(p, 6u, 2.0f, 0.5f, generator) * (2.6f * parameters.x);
+    real band = 0.5f + 0.5f * sine((bent + 1.1f * p.z) * 6.28318531f);
+    return power(band, real(0.77f));
+}
+
+/// A field before its wave form. `parameters`: gradient's unit axis; spirals: x is the number of arms.
+FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
+    if (kind >= FIELD_NOISE) return noise_field_value(kind, p, parameters, generator);
+    real3 a = abs(p);
+    if (kind == FIELD_GRADIENT) {
+        // The remainder keeps the sign of what is divided, which shows where a frequency isn't whole.
+        real x = dot(p, real3(parameters));
+        return select(x < real(0.0f), -fraction(-x), fraction(x));
+    }
+    if (kind == FIELD_ONION) return fraction(length(p));
+    if (kind == FIELD_SPHERICAL) return max(1.0f - length(p), real(0.0f));
+    if (kind == FIELD_CYLINDRICAL) return max(1.0f - sqrt(p.x * p.x + p.z * p.z), real(0.0f));
+    if (kind == FIELD_PLANAR) return max(1.0f - a.y, real(0.0f));
+    if (kind == FIELD_BOXED) return max(1.0f - max(a.x, max(a.y, a.z)), real(0.0f));
+    if (kind == FIELD_RADIAL) return angle_of(p.x, p.z) * 0.159154943f + 0.75f;
+    if (kind == FIELD_LEOPARD) {
+        real sum = (sine(p.x) + sine(p.y) + sine(p.z)) * 0.333333333f;
+        return sum * sum;
+    }
+    if (kind == FIELD_WOOD) return sqrt(p.x * p.x + p.y * p.y);
+    if (kind == FIELD_MARBLE) return p.x;
+    real turns = (angle_of(p.y, p.x) * 0.159154943f + 0.25f) * parameters.x;
+    real radius = sqrt(p.x * p.x + p.y * p.y);
+    if (kind == FIELD_SPIRAL1) return radius + turns;
+    // spiral2: arms that wind the other way lie over them.
+    real one = 1.0f - abs(2.0f * fraction(radius + turns) - 1.0f);
+    real other = 1.0f - abs(2.0f * fraction(radius - turns) - 1.0f);
+    return max(one, other);
+}
+
+/// A field's value bent by its wave form: 0..1.
+FN real wave_value(uint wave, real value, float frequency, float phase, float exponent) {
+    if (wave == WAVE_NONE) return clamp(value, real(0.0f), real(1.0f));
+    real v = fraction(value * frequency + phase);
+    if (wave == WAVE_TRIANGLE) return 1.0f - abs(2.0f * v - 1.0f);
+    if (wave == WAVE_SINE) return (1.0f + sine(v * 6.28318531f)) * 0.5f;
+    if (wave == WAVE_SCALLOP) return sine(v * 3.14159265f);
+    if (wave == WAVE_CUBIC) return v * v * (3.0f - 2.0f * v);
+    if (wave == WAVE_POLY) return power(v, real(exponent));
+    return v;
+}
+
+/// Number modulo a positive divisor: in [0, divisor).
+FN real modulo(real x, float divisor) { return x - floor(x * (1.0f / divisor)) * divisor; }
+
+/// Mortar (0) or brick (1): courses of size.y, every second shifted by half a brick along x, the others by half a brick
+/// along z. The mortar is a brick's upper part in each direction.
+FN real brick_choice(real3 p, vec3 size, float mortar) {
+    mask odd = modulo(p.y, size.y * 2.0f) >= real(size.y);
+    real x = modulo(p.x + select(odd, real(size.x * 0.5f), real(0.0f)), size.x);
+    real y = modulo(p.y, size.y);
+    real z = modulo(p.z + select(odd, real(0.0f), real(size.z * 0.5f)), size.z);
+    mask joint = mask_or(mask_or(x >= real(size.x - mortar), y >= real(size.y - mortar)), z >= real(size.z - mortar));
+    return select(joint, real(0.0f), real(1.0f));
+}
+
+/// Which of three hexagons of a tiling of the xz plane: side 1, one centred on the origin.
+FN real hexagon_choice(real3 p) {
+    // Axial coordinates of pointed hexagons with corners on the x axis' sides, rounded to the nearest centre.
+    real q = p.x * 0.666666667f;
+    real r = p.z * 0.577350269f - p.x * 0.333333333f;
+    real s = -q - r;
+    real rq = floor(q + 0.5f);
+    real rr = floor(r + 0.5f);
+    real rs = floor(s + 0.5f);
+    real dq = abs(rq - q);
+    real dr = abs(rr - r);
+    real ds = abs(rs - s);
+    mask fix_q = mask_and(dq > dr, dq > ds);
+    mask fix_r = mask_and(mask_not(fix_q), dr > ds);
+    real fixed_q = select(fix_q, -rr - rs, rq);
+    real fixed_r = select(fix_r, -fixed_q - rs, rr);
+    return modulo(fixed_r - fixed_q, 3.0f);
+}
+
+/// Number of the list's entry at a point.
+FN real choice_value(uint kind, real3 p, vec3 size, float mortar) {
+    if (kind == CHOICE_CHECKER) return modulo(floor(p.x) + floor(p.y) + floor(p.z), 2.0f);
+    if (kind == CHOICE_BRICK) return brick_choice(p, size, mortar);
+    if (kind == CHOICE_HEXAGON) return hexagon_choice(p);
+    if (kind == CHOICE_SQUARE) {
+        // Around a corner: 0, 1 upwards, then 2 beside 1, 3 beside 0.
+        real odd_x = modulo(floor(p.x), 2.0f);
+        real odd_z = modulo(floor(p.z), 2.0f);
+        return select(odd_x > real(0.5f), 3.0f - odd_z, odd_z);
+    }
+    if (kind == CHOICE_TRIANGULAR) {
+        // The six triangles around a corner in turn, over the tiling of the xz plane by triangles of side 1: cells of
+        // two triangles, in rows that repeat after three.
+        real v = p.z * 1.15470054f;
+        real u = p.x - v * 0.5f;
+        real cell = modulo(floor(u) - floor(v), 3.0f);
+        mask upper = fraction(u) + fraction(v) > real(1.0f);
+        real of_lower = select(cell < real(0.5f), real(0.0f), select(cell < real(1.5f), real(4.0f), real(2.0f)));
+        real of_upper = select(cell < real(0.5f), real(3.0f), select(cell < real(1.5f), real(5.0f), real(1.0f)));
+        return select(upper, of_upper, of_lower);
+    }
+    // cubic: which face of a cube around the origin the point lies behind.
+    real3 a = abs(p);
+    real along_x = select(p.x >= real(0.0f), real(0.0f), real(3.0f));
+    real along_y = select(p.y >= real(0.0f), real(1.0f), real(4.0f));
+    real along_z = select(p.z >= real(0.0f), real(2.0f), real(5.0f));
+    mask x_most = mask_and(a.x > a.y, a.x > a.z);
+    return select(x_most, along_x, select(a.y >= a.z, along_y, along_z));
+}
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a pigment's program: the one switch that all procedural colours go through.
+#ifndef SUNDOG_KERNEL_PATTERNS_PROGRAM_H
+#define SUNDOG_KERNEL_PATTERNS_PROGRAM_H
+
+#include "kernel/patterns/fields.h"
+#include "kernel/patterns/texture.h"
+
+KERNEL_BEGIN
+
+/// Linear RGB, the share that passes tinted by it (filter), and the share that passes untinted (transmit).
+struct PigmentColor {
+    real3 rgb;
+    real filtered;
+    real transmitted;
+};
+
+FN PigmentColor no_color() {
+    PigmentColor c;
+    c.rgb = real3(real(0.0f));
+    c.filtered = real(0.0f);
+    c.transmitted = real(0.0f);
+    return c;
+}
+
+FN float code_float(SCENE uint at) { return uniform_float(AT(code, at)); }
+FN vec3 code_vec3(SCENE uint at) {
+    return vec3(code_float(SCENE_ at), code_float(SCENE_ at + 1u), code_float(SCENE_ at + 2u));
+}
+
+/// sum + a colour of the program's words, weighted.
+FN PigmentColor add_constant(SCENE PigmentColor sum, uint at, real weight) {
+    sum.rgb = sum.rgb + real3(code_vec3(SCENE_ at)) * weight;
+    sum.filtered = sum.filtered + weight * code_float(SCENE_ at + 3u);
+    sum.transmitted = sum.transmitted + weight * code_float(SCENE_ at + 4u);
+    return sum;
+}
+
+/// Share of a map's entry at position `at` for a value: it falls linearly to the neighbours' positions. The first and
+/// the last entry name a neighbour beyond 0..1 and keep their share out there.
+FN real entry_share(real value, float before, float at, float after) {
+    mask rising = mask_and(value >= real(before), value < real(at));
+    mask falling = mask_and(value >= real(at), value < real(after));
+    float per_rise = at > before ? 1.0f / (at - before) : 0.0f;
+    float per_fall = after > at ? 1.0f / (after - at) : 0.0f;
+    real up = before < -1.0f ? real(1.0f) : (value - before) * per_rise;
+    real down = after > 2.0f ? real(1.0f) : (after - value) * per_fall;
+    return select(rising, up, select(falling, down, real(0.0f)));
+}
+
+/// Where a point of an image map falls on its picture, and whether there is one.
+FN real2 image_position(uint map_type, real3 p) {
+    if (map_type == 0u) return real2(p.x, p.y);
+    real around = angle_of(p.z, p.x) * 0.159154943f;
+    real u = select(around < real(0.0f), around + 1.0f, around);
+    real radius = sqrt(p.x * p.x + p.z * p.z);
+    if (map_type == 1u) return real2(u, angle_of(p.y, radius) * 0.318309886f + 0.5f);
+    if (map_type == 2u) return real2(u, p.y);
+    real tube = angle_of(p.y, radius - 1.0f) * 0.159154943f;  // toroidal: around a ring of radius 1
+    return real2(u, select(tube < real(0.0f), tube + 1.0f, tube));
+}
+
+/// The texel that uv lies in; linear RGB and alpha.
+FN real3 nearest_texel(SCENE uint texture, real2 uv, OUT(real) alpha) {
+    TextureInfo info = AT(textures, texture);
+    real w = real(float(info.width));
+    real h = real(float(info.height));
+    mask never = w < real(0.0f);
+    word x = wrap_texel(floor(fraction(uv.x) * w), w, never);
+    word y = wrap_texel(floor((1.0f - fraction(uv.y)) * h), h, mask_not(never));
+    mask srgb = word(info.flags & TEXTURE_SRGB) != word(0u);
+    return texel_at(SCENE_ word(info.first_texel), word(info.width), x, y, srgb, alpha);
+}
+
+FN PigmentColor image_color(SCENE uint at, real3 p) {
+    uint texture = AT(code, at);
+    uint flags = AT(code, at + 1u);
+    uint map_type = AT(code, at + 2u);
+    real2 uv = image_position(map_type, p);
+    real alpha;
+    PigmentColor c;
+    if ((flags & IMAGE_SMOOTH) != 0u) {
+        uint clamped = (flags & IMAGE_ONCE) != 0u ? TEXTURE_CLAMP : 0u;
+        c.rgb = texture_lookup(SCENE_ word(texture), word(clamped), uv, alpha);
+    } else {
+        c.rgb = nearest_texel(SCENE_ texture, uv, alpha);
+    }
+    real opacity = alpha;
+    c.filtered = real(code_float(SCENE_ at + 3u)) * opacity;
+    c.transmitted = 1.0f - opacity * (1.0f - code_float(SCENE_ at + 4u));
+    if ((flags & IMAGE_ONCE) != 0u) {
+        mask outside = mask_or(mask_or(uv.x<real(0.0f), uv.x> real(1.0f)), mask_or(uv.y<real(0.0f), uv.y> real(1.0f)));
+        c.rgb = select(outside, real3(real(0.0f)), c.rgb);
+        c.filtered = select(outside, real(0.0f), c.filtered);
+        c.transmitted = select(outside, real(1.0f), c.transmitted);
+    }
+    return c;
+}
+
+/// The colour that the program at `start` gives for a point (in the pigment's space).
+FN_LARGE PigmentColor run_program(SCENE uint start, real3 at_point) {
+    real3 points[PROGRAM_SLOTS];
+    real values[PROGRAM_SLOTS];
+    PigmentColor colors[PROGRAM_SLOTS];
+    points[0] = at_point;
+    colors[0] = no_color();
+    uint pc = start;
+    while (true) {
+        uint instruction = AT(code, pc);
+        uint op = instruction & 255u;
+        uint target = (instruction >> 8u) & 255u;
+        uint source = (instruction >> 16u) & 255u;
+        uint source2 = instruction >> 24u;
+        pc = pc + 1u;
+        if (op == OP_END) break;
+        if (op == OP_SOLID) {
+            colors[target] = add_constant(SCENE_ no_color(), pc, real(1.0f));
+            pc = pc + 5u;
+        } else if (op == OP_TRANSFORM) {
+            real3 p = points[source];
+            points[target] = real3(code_vec3(SCENE_ pc)) * p.x + real3(code_vec3(SCENE_ pc + 3u)) * p.y +
+                             real3(code_vec3(SCENE_ pc + 6u)) * p.z + real3(code_vec3(SCENE_ pc + 9u));
+            pc = pc + 12u;
+        } else if (op == OP_FIELD) {
+            values[target] = field_value(AT(code, pc), points[source], code_vec3(SCENE_ pc + 1u), AT(code, pc + 4u));
+            pc = pc + 5u;
+        } else if (op == OP_WAVE) {
+            values[target] = wave_value(AT(code, pc), values[target], code_float(SCENE_ pc + 1u),
+                                        code_float(SCENE_ pc + 2u), code_float(SCENE_ pc + 3u));
+            pc = pc + 4u;
+        } else if (op == OP_MAP) {
+            uint count = AT(code, pc);
+            PigmentColor sum = no_color();
+            for (uint i = 0u; i < count; i = i + 1u) {
+                uint entry = pc + 1u + i * 6u;
+                float before = -2.0f;
+                if (i > 0u) before = code_float(SCENE_ entry - 6u);
+                float after = 3.0f;
+                if (i + 1u < count) after = code_float(SCENE_ entry + 6u);
+                real share = entry_share(values[source], before, code_float(SCENE_ entry), after);
+                if (any_lane(share > real(0.0f))) sum = add_constant(SCENE_ sum, entry + 1u, share);
+            }
+            colors[target] = sum;
+            pc = pc + 1u + count * 6u;
+        } else if (op == OP_CHOICE) {
+            values[target] =
+                choice_value(AT(code, pc), points[source], code_vec3(SCENE_ pc + 1u), code_float(SCENE_ pc + 4u));
+            pc = pc + 5u;
+        } else if (op == OP_PICK) {
+            uint count = AT(code, pc);
+            PigmentColor sum = no_color();
+            for (uint i = 0u; i < count; i = i + 1u) {
+                mask here = abs(values[source] - float(i)) < real(0.5f);
+                if (any_lane(here))
+                    sum = add_constant(SCENE_ sum, pc + 1u + i * 5u, select(here, real(1.0f), real(0.0f)));
+            }
+            colors[target] = sum;
+            pc = pc + 1u + count * 5u;
+        } else if (op == OP_CLEAR) {
+            colors[target] = no_color();
+        } else if (op == OP_BLEND_MAP || op == OP_BLEND_PICK) {
+            real share;
+            if (op == OP_BLEND_MAP) {
+                share = entry_share(values[source2], code_float(SCENE_ pc), code_float(SCENE_ pc + 1u),
+                                    code_float(SCENE_ pc + 2u));
+                pc = pc + 3u;
+            } else {
+                mask here = abs(values[source2] - code_float(SCENE_ pc)) < real(0.5f);
+                share = select(here, real(1.0f), real(0.0f));
+                pc = pc + 1u;
+            }
+            colors[target].rgb = colors[target].rgb + colors[source].rgb * share;
+            colors[target].filtered = colors[target].filtered + colors[source].filtered * share;
+            colors[target].transmitted = colors[target].transmitted + colors[source].transmitted * share;
+        } else if (op == OP_TURBULENCE) {
+            real3 stirred = turbulence_vector(points[source], AT(code, pc + 3u), code_float(SCENE_ pc + 4u),
+                                              code_float(SCENE_ pc + 5u));
+            points[target] = points[source] + real3(code_vec3(SCENE_ pc)) * stirred;
+            pc = pc + 6u;
+        } else {  // OP_IMAGE
+            colors[target] = image_color(SCENE_ pc, points[source]);
+            pc = pc + 5u;
+        }
+    }
+    return colors[0];
+}
+
+KERNEL_END
+
+#endif
