@@ -103,6 +103,9 @@ public:
 Value evaluate(const FunctionExpression& function, std::span<const double> arguments, PatternQueries* queries,
                std::uint64_t& budget);
 
+/// What an operation gives for its arguments; of all but variables, calls, sums and products.
+double value_of(const FunctionNode& node, std::span<const double> arguments);
+
 /// How many arguments a call of it has; 0 for an internal function, which takes what it needs.
 std::size_t parameter_count(const FunctionExpression& function);
 

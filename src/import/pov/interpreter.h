@@ -20,7 +20,8 @@
 namespace sundog::pov {
 
 /// Where file names of scenes (includes, images, fonts, data) are looked for: as given if absolute, else in the folder
-/// of the file that names it, the scene's folder, and the library paths, in this order.
+/// of the file that names it, the scene's folder, the folders that scenes may write to (what one has written it may
+/// read again), and the library paths, in this order.
 class FileFinder {
 public:
     FileFinder(std::filesystem::path scene_folder, const PovOptions& options);
@@ -28,7 +29,8 @@ public:
     [[nodiscard]] std::filesystem::path find(std::string_view name, const std::filesystem::path& named_in = {}) const;
     /// Why find() gave nothing, for messages: forbidden, or sought where.
     [[nodiscard]] std::string why_not_found(std::string_view name, const std::filesystem::path& named_in = {}) const;
-    /// Where a scene's output file of that name goes: under the scene's folder if relative.
+    /// Where a scene's output file of that name goes: if relative, into the first of the folders that may be written
+    /// to.
     [[nodiscard]] std::filesystem::path output_path(std::string_view name) const;
     [[nodiscard]] const FileAccess& access() const { return access_; }
 
@@ -36,7 +38,7 @@ private:
     [[nodiscard]] std::vector<std::filesystem::path> candidates(std::string_view name,
                                                                 const std::filesystem::path& named_in) const;
     std::filesystem::path scene_folder_;
-    std::vector<std::filesystem::path> library_paths_;
+    std::vector<std::filesystem::path> writable_, library_paths_;
     FileAccess access_;
 };
 
@@ -68,7 +70,6 @@ inline constexpr std::uint32_t kNestingLimit = 400;
 
 /// Runs a scene. Places in the blocks are of `sources`, to which the files read are added while it runs.
 /// `queries` may be null: trace(), inside() and the extents are then errors. Functions of pigments and patterns, too.
-/// rand() is Sundog's own generator: another sequence than POV-Ray's, the same on every machine.
 /// Errors: InputError for what is wrong in a file, or for a limit that was hit.
 void interpret(const std::filesystem::path& file, const PovOptions& options, SourceFiles& sources, BlockSink& sink,
                GeometryQueries* queries, const WarningSink& warn);

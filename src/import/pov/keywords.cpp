@@ -46,7 +46,6 @@ constexpr std::array<Word, kKeywordCount> kWords{{{Keyword::aa_level, "aa_level"
                                                   {Keyword::assumed_gamma, "assumed_gamma"},
                                                   {Keyword::atan, "atan"},
                                                   {Keyword::atan2, "atan2"},
-                                                  {Keyword::atand, "atand"},
                                                   {Keyword::atanh, "atanh"},
                                                   {Keyword::autostop, "autostop"},
                                                   {Keyword::average, "average"},

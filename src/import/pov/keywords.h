@@ -46,7 +46,7 @@ enum class Keyword : std::uint16_t {
     assumed_gamma,
     atan,
     atan2,
-    atand,
+
     atanh,
     autostop,
     average,
@@ -514,7 +514,7 @@ enum class Keyword : std::uint16_t {
     z,
 };
 
-inline constexpr std::size_t kKeywordCount = 500;
+inline constexpr std::size_t kKeywordCount = 499;
 
 /// How POV-Ray writes the word.
 std::string_view spelling(Keyword keyword);

@@ -2,6 +2,7 @@
 // Splines as POV-Ray's language declares them: a vector that depends on a number.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "import/pov/entity.h"
@@ -10,6 +11,9 @@ namespace sundog::pov {
 
 /// How a Spline goes from point to point.
 enum class SplineKind : std::uint8_t { linear, quadratic, cubic, natural };
+
+/// The kind that a keyword names: linear_spline, quadratic_spline, cubic_spline or natural_spline.
+std::optional<SplineKind> spline_kind(Keyword keyword);
 
 /// `spline { kind  t0, <…>  t1, <…> … }`.
 struct Spline {
@@ -31,9 +35,9 @@ void insert_point(Spline& spline, double parameter, const Value& at);
 /// the tridiagonal system (Press et al. 1992, section 3.3). To be called when all points are in.
 void natural_second_derivatives(Spline& spline);
 
-/// The spline at `parameter`; before the first and behind the last point it stays at them. A cubic spline is
-/// Catmull and Rom's (1974) with parameters as given, defined between the second point and the last but one.
-/// `spline` must have a point.
+/// The spline at `parameter`; before the first and behind the last point it stays at them. A cubic spline
+/// takes the mean of the slopes on both sides of a point for its own (on even parameters, Catmull and Rom's of 1974);
+/// it is defined between the second point and the last but one. `spline` must have a point.
 Value evaluate(const Spline& spline, double parameter, SplineKind kind);
 
 }  // namespace sundog::pov

@@ -145,6 +145,8 @@ private:
         const char* const start = at_++;
         while (at_ < end_ && (is_blank(*at_))) ++at_;
         const std::string_view word = take_word();
+        // POV-Ray passes over a lone '#'.
+        if (word.empty()) return;
         const auto keyword = find_keyword(word);
         // Before POV-Ray 3 these two were directives; their use as such still works there.
         if (keyword == Keyword::max_trace_level || keyword == Keyword::max_intersections)

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blocks and what stands in them. What a block may hold is the builder's business: here keywords, values, strings, rows
+// and blocks are told apart.
+#include <algorithm>
+
+#include "import/pov/interpreter_core.h"
+#include "import/pov/word_use.h"
+
+namespace sundog::pov {
+namespace {
+
+/// Blocks that read an image file, in which `filter` and `transmit` speak of its palette.
+bool is_of_image(Keyword keyword) {
+    return keyword == Keyword::image_map || keyword == Keyword::bump_map || keyword == Keyword::material_map ||
+           keyword == Keyword::image_pattern || keyword == Keyword::height_field;
+}
+
+bool is_packed_list(Keyword keyword) {
+    return keyword == Keyword::vertex_vectors || keyword == Keyword::normal_vectors || keyword == Keyword::uv_vectors ||
+           keyword == Keyword::face_indices || keyword == Keyword::normal_indices || keyword == Keyword::uv_indices;
+}
+
+/// Blocks whose coefficients are one vector of more components than others have.
+bool has_long_vector(Keyword keyword) {
+    return keyword == Keyword::poly || keyword == Keyword::cubic || keyword == Keyword::quartic;
+}
+
+void deepen(std::uint32_t& depth, std::uint32_t inner) { depth = std::max(depth, inner); }
+
+}  // namespace
+
+std::shared_ptr<const Block> Interpreter::parse_block(Keyword keyword, Place where) {
+    auto block = std::make_shared<Block>();
+    block->keyword = keyword;
+    block->where = where;
+    parse_block_into(*block);
+    return block;
+}
+
+void Interpreter::parse_block_into(Block& block) {
+    const Level level(*this);
+    const GuardScope no_guard(guard_, {});
+    block.version = version_;
+    block.defaults = defaults_;
+    expect(TokenKind::left_brace, "after " + std::string(spelling(block.keyword)));
+    std::uint32_t inner = 0;
+    parse_items(block.items, TokenKind::right_brace, block.keyword, inner);
+    block.depth = inner + 1;
+    check_depth(block.depth, block.where);
+}
+
+void Interpreter::parse_items(std::vector<Item>& items, TokenKind closing, Keyword context, std::uint32_t& depth) {
+    for (;;) {
+        const Lookahead& ahead = peek();
+        switch (ahead.kind) {
+            case TokenKind::comma:
+            case TokenKind::semicolon:
+                take();
+                break;
+            case TokenKind::keyword:
+                parse_keyword_item(items, context, depth);
+                break;
+            case TokenKind::name:
+                parse_name_item(items, context, depth);
+                break;
+            case TokenKind::string: {
+                const Place where = here();
+                items.push_back({where, parse_string()});
+                break;
+            }
+            case TokenKind::left_bracket: {
+                const Place where = here();
+                const Level level(*this);
+                take();
+                auto row = std::make_shared<Row>();
+                row->where = where;
+                std::uint32_t inner = 0;
+                parse_items(row->items, TokenKind::right_bracket, context, inner);
+                deepen(depth, inner);
+                items.push_back({where, std::move(row)});
+                break;
+            }
+            case TokenKind::list: {
+                const Place where = here();
+                std::shared_ptr<const ValueList> list = ahead.file->lists[ahead.payload];
+                take();
+                append_list(items, std::move(list), where);
+                break;
+            }
+            case TokenKind::left_angle:
+                if (has_long_vector(context) ||
+                    (!items.empty() && std::holds_alternative<Keyword>(items.back().content) &&
+                     std::get<Keyword>(items.back().content) == Keyword::matrix)) {
+                    append_long_vector(items);
+                    break;
+                }
+                [[fallthrough]];
+            case TokenKind::number:
+            case TokenKind::left_paren:
+            case TokenKind::plus:
+            case TokenKind::minus:
+            case TokenKind::exclamation: {
+                const Place where = here();
+                append_value(items, where, parse_value(), context);
+                break;
+            }
+            case TokenKind::colon:
+                // polynomial { 4, xyz(2, 0, 0): 1, … }
+                if (context == Keyword::polynomial) {
+                    take();
+                    break;
+                }
+                [[fallthrough]];
+            default:
+                if (ahead.kind == closing) return take();
+                fail_expected(closing == TokenKind::right_brace
+                                  ? "a keyword, a value or the '}' of this " + std::string(spelling(context))
+                                  : "a value, a keyword or ']'");
+        }
+    }
+}
+
+void Interpreter::append_value(std::vector<Item>& items, Place where, const Value& value, Keyword context) {
+    tick();
+    if (!is_packed_list(context) || value.is_color) {
+        items.push_back({where, value});
+        return;
+    }
+    ValueList* list = nullptr;
+    if (!items.empty())
+        if (auto* last = std::get_if<std::shared_ptr<const ValueList>>(&items.back().content); last != nullptr)
+            // Only lists made here are added to; those of a file's tokens belong to the file.
+            if (*last == growing_list_) list = growing_list_.get();
+    if (list == nullptr) {
+        growing_list_ = std::make_shared<ValueList>();
+        list = growing_list_.get();
+        items.push_back({where, std::shared_ptr<const ValueList>(growing_list_)});
+    }
+    list->numbers.insert(list->numbers.end(), value.v.begin(), value.v.begin() + value.count);
+    list->counts.push_back(value.count);
+}
+
+void Interpreter::append_list(std::vector<Item>& items, std::shared_ptr<const ValueList> list, Place where) {
+    tick(list->counts.size() / 16);
+    items.push_back({where, std::move(list)});
+}
+
+void Interpreter::append_long_vector(std::vector<Item>& items) {
+    const Level level(*this);
+    take();
+    while (!accept(TokenKind::right_angle)) {
+        const Place where = here();
+        items.push_back({where, number_value(parse_number())});
+        tick();
+        accept(TokenKind::comma);
+    }
+}
+
+void Interpreter::parse_keyword_item(std::vector<Item>& items, Keyword context, std::uint32_t& depth) {
+    const auto keyword = static_cast<Keyword>(ahead_.payload);
+    const Place where = ahead_.file->place(ahead_.offset);
+    const WordUse use = word_use(keyword);
+    if (use == WordUse::constant) return append_value(items, where, parse_value(), context);
+    if (use == WordUse::string) {
+        items.push_back({where, parse_string()});
+        return;
+    }
+    if (use == WordUse::color_word && is_of_image(context)) {
+        take();
+        items.push_back({where, keyword});
+        return;
+    }
+    if (use == WordUse::color && (keyword == Keyword::srgb || keyword == Keyword::color)) {
+        // `gamma srgb` has no vector.
+        if (!items.empty() && std::holds_alternative<Keyword>(items.back().content) &&
+            (std::get<Keyword>(items.back().content) == Keyword::gamma ||
+             std::get<Keyword>(items.back().content) == Keyword::assumed_gamma)) {
+            take();
+            items.push_back({where, keyword});
+            return;
+        }
+    }
+    if (use == WordUse::color || use == WordUse::color_word) return append_value(items, where, parse_value(), context);
+    if (use != WordUse::statement) {
+        // `sqr` or `exp` in a julia_fractal are no calls.
+        if (raw().kind() == TokenKind::left_paren) return append_value(items, where, parse_value(), context);
+        take();
+        items.push_back({where, keyword});
+        return;
+    }
+    if (keyword == Keyword::function) return parse_function_item(items, depth);
+    take();
+    if (peek().kind != TokenKind::left_brace) {
+        items.push_back({where, keyword});
+        return;
+    }
+    auto block = parse_block(keyword, where);
+    deepen(depth, block->depth);
+    items.push_back({where, std::move(block)});
+}
+
+void Interpreter::parse_name_item(std::vector<Item>& items, Keyword context, std::uint32_t& depth) {
+    const NameId name = ahead_.payload;
+    const Place where = ahead_.file->place(ahead_.offset);
+    const Entity* found = identifiers_.find(name);
+    if (found == nullptr) {
+        if (context == Keyword::polynomial && names_.text(name) == "xyz") {
+            // The exponents of a term: xyz(2, 0, 1).
+            take();
+            expect(TokenKind::left_paren, "after xyz");
+            Value exponents;
+            exponents.count = 3;
+            for (std::size_t i = 0; i < 3; ++i) {
+                exponents.v[i] = parse_number();
+                accept(TokenKind::comma);
+            }
+            expect(TokenKind::right_paren, "after the exponents");
+            items.push_back({where, exponents});
+            return;
+        }
+        fail_undeclared(where, name);
+    }
+    if (std::holds_alternative<Value>(*found)) return append_value(items, where, parse_value(), context);
+    if (has_deprecated_) note_use(name, where);
+    Entity entity = *found;
+    take();
+    if (const auto* array = std::get_if<std::shared_ptr<Array>>(&entity))
+        entity = element(std::shared_ptr<Array>(*array), name, where);
+    if (auto* text = std::get_if<std::string>(&entity)) {
+        items.push_back({where, std::move(*text)});
+    } else if (const auto* group = std::get_if<BlockGroup>(&entity)) {
+        for (const std::shared_ptr<const Block>& block : *group) {
+            deepen(depth, block->depth);
+            items.push_back({where, block});
+        }
+    } else if (const auto* function = std::get_if<std::shared_ptr<const FunctionExpression>>(&entity);
+               function != nullptr && peek().kind != TokenKind::left_paren) {
+        items.push_back({where, *function});
+    } else {
+        pending_ = value_of_entity(entity, name, where);
+        append_value(items, where, parse_value(), context);
+    }
+}
+
+void Interpreter::parse_function_item(std::vector<Item>& items, std::uint32_t& depth) {
+    const Place where = here();
+    // `function W, H { … }` is an image of that size.
+    const TokenKind after = raw().kind();
+    if (after != TokenKind::left_brace && after != TokenKind::left_paren) {
+        take();
+        items.push_back({where, Keyword::function});
+        for (int i = 0; i < 2; ++i) {
+            const Place number_place = here();
+            items.push_back({number_place, number_value(parse_number())});
+            accept(TokenKind::comma);
+        }
+    } else {
+        take();
+    }
+    auto function = parse_function(where);
+    if (function->block) deepen(depth, function->block->depth);
+    items.push_back({where, std::move(function)});
+}
+
+void Interpreter::run_scene() {
+    Block block;
+    for (;;) {
+        const Lookahead& ahead = peek();
+        if (ahead.kind == TokenKind::end) return;
+        if (ahead.kind == TokenKind::semicolon) {
+            take();
+            continue;
+        }
+        block.items.clear();
+        block.where = here();
+        if (ahead.kind == TokenKind::name && identifiers_.find(ahead.payload) != nullptr) {
+            // `Tree` alone is taken for `object { Tree }`.
+            std::uint32_t depth = 0;
+            block.keyword = Keyword::object;
+            block.version = version_;
+            block.defaults = defaults_;
+            warn_once(block.where, "bare object", "an identifier alone; object { … } was expected around it");
+            parse_name_item(block.items, Keyword::object, depth);
+            block.depth = depth + 1;
+            for (const Item& item : block.items)
+                if (!std::holds_alternative<std::shared_ptr<const Block>>(item.content))
+                    fail(item.where, "expected an object, camera, light_source or the like, found a value");
+        } else if (ahead.kind == TokenKind::keyword) {
+            block.keyword = static_cast<Keyword>(ahead.payload);
+            if (word_use(block.keyword) != WordUse::statement)
+                fail_expected("an object, camera, light_source or the like");
+            take();
+            if (block.keyword == Keyword::max_trace_level || block.keyword == Keyword::max_intersections) {
+                // Before version 3 these stood outside of global_settings.
+                block.items = {{block.where, block.keyword}, {block.where, parse_value()}};
+                block.keyword = Keyword::global_settings;
+                block.depth = 1;
+                block.version = version_;
+                block.defaults = defaults_;
+            } else {
+                parse_block_into(block);
+            }
+        } else {
+            fail_expected("an object, camera, light_source or the like");
+        }
+        note_globals(block);
+        sink_.add(std::move(block));
+    }
+}
+
+void Interpreter::note_globals(const Block& block) {
+    if (block.keyword != Keyword::global_settings) return;
+    for (std::size_t i = 0; i + 1 < block.items.size(); ++i) {
+        const auto* keyword = std::get_if<Keyword>(&block.items[i].content);
+        if (keyword == nullptr || *keyword != Keyword::assumed_gamma) continue;
+        const auto* value = std::get_if<Value>(&block.items[i + 1].content);
+        // `assumed_gamma srgb` is nearly a power of 2.2.
+        assumed_gamma_ = value != nullptr && value->v[0] > 0 ? value->v[0] : 2.2;
+    }
+}
+
+}  // namespace sundog::pov
