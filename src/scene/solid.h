@@ -52,6 +52,8 @@ struct BlobComponent {
     Vec3d center, end;  ///< A cylinder's axis goes from center to end; hemispheres close it.
     double radius = 1, strength = 1;
     Affine3d blob_from_component;  ///< Component's own transforms.
+    std::uint32_t material =
+        0xffffffffU;  ///< Solid::kInherited: the blob's. Else it shows where this component is strongest.
 };
 struct Blob {
     double threshold = 1;

@@ -260,7 +260,7 @@ Hit CompiledSolid::hit_of(const Event& event, const Ray& ray) const {
     hit.normal = event.flipped ? -carried : carried;
     // The passage from outside to inside tells better than rounding which way the normal must point.
     if (event.crossing.toggles && (dot(hit.normal, ray.direction) < 0) != event.faces_ray) hit.normal = -hit.normal;
-    const std::uint32_t own = leaf.shape->material(event.crossing);
+    const std::uint32_t own = leaf.shape->material(in_shape, event.crossing);
     hit.material = own != scene::Solid::kInherited ? own : leaf.material;
     if (!event.faces_ray && leaf.interior_material != scene::Solid::kInherited) hit.material = leaf.interior_material;
     const std::array<double, 2> uv = leaf.shape->uv(in_shape, event.crossing);

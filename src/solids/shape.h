@@ -36,7 +36,7 @@ public:
     /// Texture coordinates as POV-Ray's uv_mapping has them (reference, section 3.4.6.7.1); 0 where it has none.
     [[nodiscard]] virtual std::array<double, 2> uv(Vec3d, const Crossing&) const { return {0, 0}; }
     /// The material of a part with one of its own (a mesh's triangle), into Scene::materials.
-    [[nodiscard]] virtual std::uint32_t material(const Crossing&) const { return scene::Solid::kInherited; }
+    [[nodiscard]] virtual std::uint32_t material(Vec3d, const Crossing&) const { return scene::Solid::kInherited; }
     /// All that material() may give but kInherited.
     [[nodiscard]] virtual std::vector<std::uint32_t> materials() const { return {}; }
 };
@@ -50,7 +50,16 @@ ShapePointer make_shape(const scene::SolidCone& cone, const SourceLocation& wher
 ShapePointer make_shape(const scene::HalfSpace& half_space, const SourceLocation& where);
 ShapePointer make_shape(const scene::Torus& torus, const SourceLocation& where);
 ShapePointer make_shape(const scene::Polynomial& polynomial, const SourceLocation& where);
+ShapePointer make_shape(const scene::Superellipsoid& superellipsoid, const SourceLocation& where);
+ShapePointer make_shape(const scene::Blob& blob, const SourceLocation& where);
+ShapePointer make_shape(const scene::Lathe& lathe, const SourceLocation& where);
+ShapePointer make_shape(const scene::SurfaceOfRevolution& sor, const SourceLocation& where);
+ShapePointer make_shape(const scene::Prism& prism, const SourceLocation& where);
+ShapePointer make_shape(const scene::SphereSweep& sweep, const SourceLocation& where);
+ShapePointer make_shape(const scene::HeightField& field, const SourceLocation& where);
 ShapePointer make_shape(const scene::Disc& disc, const SourceLocation& where);
+ShapePointer make_shape(const scene::FlatPolygon& polygon, const SourceLocation& where);
+ShapePointer make_shape(const std::shared_ptr<const scene::SolidMesh>& mesh, const SourceLocation& where);
 
 /// For shapes that can't be: an InputError at `where`.
 [[noreturn]] void refuse_shape(const SourceLocation& where, const std::string& message, const std::string& hint = "");

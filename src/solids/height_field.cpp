@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "solids/shape.h"
+
+namespace sundog::solids {
+namespace {
+
+constexpr std::uint32_t kNoCell = 0xffffffffU;
+
+/// Least and greatest height of squares of cells; level k's squares are 2^k cells wide.
+struct Level {
+    std::uint32_t columns = 0, rows = 0;
+    std::vector<std::array<float, 2>> extent;
+};
+
+// Solid from the water level up to the triangles between the pixels' heights, without walls or a bottom to be seen.
+// Along a ray, its height over the ground is linear in each triangle: the ray is followed from one border to the next.
+class HeightField final : public Shape {
+public:
+    explicit HeightField(const scene::HeightField& f)
+        : columns_(f.width - 1), rows_(f.height - 1), heights_(f.heights), smooth_(f.smooth), water_(f.water_level) {
+        Level level{columns_, rows_, {}};
+        level.extent.resize(std::size_t{columns_} * rows_);
+        for (std::uint32_t row = 0; row < rows_; ++row) {
+            for (std::uint32_t column = 0; column < columns_; ++column) {
+                const std::array<double, 4> h{height(column, row), height(column + 1, row), height(column, row + 1),
+                                              height(column + 1, row + 1)};
+                level.extent[std::size_t{row} * columns_ + column] = {
+                    static_cast<float>(*std::min_element(h.begin(), h.end())),
+                    static_cast<float>(*std::max_element(h.begin(), h.end()))};
+            }
+        }
+        levels_.push_back(std::move(level));
+        while (levels_.back().columns > 1 || levels_.back().rows > 1) levels_.push_back(coarser(levels_.back()));
+        const std::array<float, 2> all = levels_.back().extent[0];
+        box_ = {{0, std::min<double>(all[0], water_), 0}, {1, std::max<double>(all[1], water_), 1}};
+        box_.lower.y = std::max(box_.lower.y, water_);
+    }
+
+    bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        // Over the ground square, above the water: its walls and its bottom are open, and its top is in the air.
+        const double margin = 1e-6 * (1 + std::abs(box_.upper.y));
+        const Bounds3d column{{0, water_, 0}, {1, box_.upper.y + margin, 1}};
+        const Range within = clip(column, ray, {-kInfinity, kInfinity});
+        if (!(within.lower < within.upper) || within.upper <= range.lower || within.lower >= range.upper) return false;
+        Walk walk{ray, range, within, out};
+        const auto top = static_cast<std::uint32_t>(levels_.size() - 1);
+        visit(top, 0, 0, within, walk);
+        if (walk.below) walk.toggle({within.upper, 0, 0, kNoCell, true, false});
+        return walk.starts_inside;
+    }
+    [[nodiscard]] bool inside(Vec3d p) const override {
+        return p.y > water_ && p.x >= 0 && p.x <= 1 && p.z >= 0 && p.z <= 1 && p.y < height_at(p.x, p.z);
+    }
+    [[nodiscard]] Vec3d normal(Vec3d p, const Crossing& c) const override {
+        if (c.part == kNoCell) return {0, 1, 0};
+        const std::uint32_t column = c.part % columns_;
+        const std::uint32_t row = c.part / columns_;
+        const double u = std::clamp(p.x * columns_ - column, 0.0, 1.0);
+        const double v = std::clamp((1 - p.z) * rows_ - row, 0.0, 1.0);
+        if (!smooth_) {
+            const std::array<double, 2> s = slopes(column, row, upper_triangle(u, v));
+            return {-s[0], 1, -s[1]};
+        }
+        // Between the normals of the triangle's corners, as between its heights.
+        const Vec3d a = vertex_normal(column, row);
+        const Vec3d b = vertex_normal(column + 1, row);
+        const Vec3d d = vertex_normal(column, row + 1);
+        const Vec3d e = vertex_normal(column + 1, row + 1);
+        return upper_triangle(u, v) ? a + (b - a) * u + (d - a) * v : e + (d - e) * (1 - u) + (b - e) * (1 - v);
+    }
+    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
+
+private:
+    struct Walk {
+        const Ray& ray;
+        Range range, within;
+        CrossingList& out;
+        bool below = false;  ///< Under the ground, where the walk has come to.
+        bool started = false;
+        bool starts_inside = false;
+        void toggle(const Crossing& c) {
+            below = !below;
+            if (c.t <= range.lower) starts_inside = below;
+            else if (c.t < range.upper) out.push_back(c);
+        }
+        /// The walk goes on at t, where the ray is under the ground or not. A difference is a wall at the beginning,
+        /// and rounding elsewhere.
+        void arrive(double t, bool is_below, std::uint32_t cell) {
+            if (is_below != below) {
+                if (started) toggle({t, 0, 0, cell});
+                else toggle({t, 0, 0, kNoCell, true, false});
+            }
+            started = true;
+        }
+    };
+
+    [[nodiscard]] double height(std::uint32_t column, std::uint32_t row) const {
+        return (*heights_)[std::size_t{row} * (columns_ + 1) + column];
+    }
+    /// Each cell's diagonal goes from its lower left to its upper right pixel as the picture is seen.
+    static bool upper_triangle(double u, double v) { return u + v <= 1; }
+    [[nodiscard]] double height_in(std::uint32_t column, std::uint32_t row, double u, double v, bool upper) const {
+        const double a = height(column, row);
+        const double b = height(column + 1, row);
+        const double d = height(column, row + 1);
+        const double e = height(column + 1, row + 1);
+        return upper ? a + (b - a) * u + (d - a) * v : e + (d - e) * (1 - u) + (b - e) * (1 - v);
+    }
+    [[nodiscard]] double height_at(double x, double z) const {
+        const double u = x * columns_;
+        const double v = (1 - z) * rows_;
+        const auto column = static_cast<std::uint32_t>(std::clamp(u, 0.0, columns_ - 1.0));
+        const auto row = static_cast<std::uint32_t>(std::clamp(v, 0.0, rows_ - 1.0));
+        return height_in(column, row, u - column, v - row, upper_triangle(u - column, v - row));
+    }
+    /// dy/dx and dy/dz of a triangle.
+    [[nodiscard]] std::array<double, 2> slopes(std::uint32_t column, std::uint32_t row, bool upper) const {
+        const double a = height(column, row);
+        const double b = height(column + 1, row);
+        const double d = height(column, row + 1);
+        const double e = height(column + 1, row + 1);
+        return {(upper ? b - a : e - d) * columns_, -(upper ? d - a : e - b) * rows_};
+    }
+    /// The mean of the normals around a pixel.
+    [[nodiscard]] Vec3d vertex_normal(std::uint32_t column, std::uint32_t row) const {
+        const std::uint32_t left = column > 0 ? column - 1 : 0;
+        const std::uint32_t right = std::min(column + 1, columns_);
+        const std::uint32_t up = row > 0 ? row - 1 : 0;
+        const std::uint32_t down = std::min(row + 1, rows_);
+        const double dx = (height(right, row) - height(left, row)) * columns_ / (right - left);
+        const double dz = -(height(column, down) - height(column, up)) * rows_ / (down - up);
+        return normalize(Vec3d{-dx, 1, -dz});
+    }
+    static Level coarser(const Level& fine) {
+        Level level{(fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
+        level.extent.assign(std::size_t{level.columns} * level.rows, {INFINITY, -INFINITY});
+        for (std::uint32_t row = 0; row < fine.rows; ++row) {
+            for (std::uint32_t column = 0; column < fine.columns; ++column) {
+                std::array<float, 2>& to = level.extent[std::size_t{row / 2} * level.columns + column / 2];
+                const std::array<float, 2>& from = fine.extent[std::size_t{row} * fine.columns + column];
+                to = {std::min(to[0], from[0]), std::max(to[1], from[1])};
+            }
+        }
+        return level;
+    }
+
+    /// Where along the ray a line between cells is met.
+    static double t_at(double o, double d, double place) { return (place - o) / d; }
+
+    void visit(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within, Walk& walk) const {
+        const std::array<float, 2>& extent = levels_[level].extent[std::size_t{row} * levels_[level].columns + column];
+        const double y0 = walk.ray.origin.y + walk.ray.direction.y * within.lower;
+        const double y1 = walk.ray.origin.y + walk.ray.direction.y * within.upper;
+        const auto first_cell =
+            static_cast<std::uint32_t>((std::size_t{row} << level) * columns_ + (std::size_t{column} << level));
+        if (std::min(y0, y1) > extent[1]) return walk.arrive(within.lower, false, first_cell);
+        if (std::max(y0, y1) < extent[0]) return walk.arrive(within.lower, true, first_cell);
+        if (level == 0) return walk_cell(column, row, within, walk);
+        // The four quarters in the ray's order: cut at the two middle lines.
+        const std::uint32_t below = level - 1;
+        const double middle_x = static_cast<double>((2 * column + 1) << below) / columns_;
+        const double middle_z = 1 - static_cast<double>((2 * row + 1) << below) / rows_;
+        SmallVector<double, 4> cuts;
+        cuts.push_back(within.lower);
+        const double t_x = t_at(walk.ray.origin.x, walk.ray.direction.x, middle_x);
+        const double t_z = t_at(walk.ray.origin.z, walk.ray.direction.z, middle_z);
+        for (const double t : {std::min(t_x, t_z), std::max(t_x, t_z)})
+            if (t > within.lower && t < within.upper) cuts.push_back(t);
+        cuts.push_back(within.upper);
+        for (std::size_t i = 1; i < cuts.size(); ++i) {
+            if (!(cuts[i - 1] < cuts[i])) continue;
+            const Vec3d p = walk.ray.at(0.5 * (cuts[i - 1] + cuts[i]));
+            const std::uint32_t child_column =
+                std::min(2 * column + (p.x > middle_x ? 1 : 0), levels_[below].columns - 1);
+            const std::uint32_t child_row = std::min(2 * row + (p.z < middle_z ? 1 : 0), levels_[below].rows - 1);
+            visit(below, child_column, child_row, {cuts[i - 1], cuts[i]}, walk);
+        }
+    }
+    void walk_cell(std::uint32_t column, std::uint32_t row, Range within, Walk& walk) const {
+        const Ray& ray = walk.ray;
+        const std::uint32_t cell = row * columns_ + column;
+        const auto u_at = [&](double t) { return ray.at(t).x * columns_ - column; };
+        const auto v_at = [&](double t) { return (1 - ray.at(t).z) * rows_ - row; };
+        double start = within.lower;
+        const double sum_start = u_at(start) + v_at(start) - 1;
+        const double sum_end = u_at(within.upper) + v_at(within.upper) - 1;
+        const bool cuts_diagonal = (sum_start < 0) != (sum_end < 0);
+        const double diagonal =
+            cuts_diagonal ? start + (within.upper - start) * std::clamp(sum_start / (sum_start - sum_end), 0.0, 1.0)
+                          : 0;
+        for (int part = 0; part < (cuts_diagonal ? 2 : 1); ++part) {
+            const double end = cuts_diagonal && part == 0 ? diagonal : within.upper;
+            const bool upper = cuts_diagonal ? (sum_start < 0) == (part == 0) : sum_start + sum_end <= 0;
+            const auto above = [&](double t) { return ray.at(t).y - height_in(column, row, u_at(t), v_at(t), upper); };
+            const double at_start = above(start);
+            const double at_end = above(end);
+            walk.arrive(start, at_start < 0, cell);
+            if ((at_start < 0) != (at_end < 0))
+                walk.toggle({start + (end - start) * (at_start / (at_start - at_end)), 0, 0, cell});
+            start = end;
+        }
+    }
+
+    std::uint32_t columns_, rows_;  ///< Cells.
+    std::shared_ptr<const std::vector<float>> heights_;
+    bool smooth_;
+    double water_;
+    std::vector<Level> levels_;
+    Bounds3d box_;
+};
+
+}  // namespace
+
+ShapePointer make_shape(const scene::HeightField& field, const SourceLocation& where) {
+    if (field.width < 2 || field.height < 2 || !field.heights ||
+        field.heights->size() != std::size_t{field.width} * field.height)
+        refuse_shape(where, "a height field needs a picture of at least 2 by 2 pixels");
+    if (std::size_t{field.width} * field.height > 0x7fffffffU)
+        refuse_shape(where, "a height field's picture has at most 2147483647 pixels");
+    return std::make_shared<HeightField>(field);
+}
+
+}  // namespace sundog::solids

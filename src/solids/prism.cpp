@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "solids/shape.h"
+#include "solids/spline_curve.h"
+
+namespace sundog::solids {
+namespace {
+
+constexpr std::uint32_t kBottom = 0xfffffffeU, kTop = 0xffffffffU;
+
+// The outline lies in the xz plane (its y is the space's z); a conic sweep scales it by the height.
+class Prism final : public Shape {
+public:
+    Prism(const scene::Prism& prism, std::vector<Curve> curves)
+        : conic_(prism.conic),
+          lower_(std::min(prism.lower, prism.upper)),
+          upper_(std::max(prism.lower, prism.upper)),
+          open_(prism.open),
+          curves_(std::move(curves)) {
+        for (const Curve& curve : curves_) pieces_.insert(pieces_.end(), curve.pieces.begin(), curve.pieces.end());
+        for (const CurvePiece& piece : pieces_) {
+            for (std::size_t i = 0; i < 4; ++i) {
+                for (const double y : {lower_, upper_}) {
+                    const double scale = conic_ ? y : 1;
+                    box_.include({scale * piece.x[i], y, scale * piece.y[i]});
+                }
+            }
+        }
+    }
+
+    bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        Crossing enter{-kInfinity};
+        Crossing leave{kInfinity};
+        const double y = ray.origin.y;
+        const double dy = ray.direction.y;
+        if (dy == 0) {
+            if (!(y > lower_ && y < upper_)) return false;
+        } else {
+            enter = {((dy > 0 ? lower_ : upper_) - y) / dy, 0, 0, dy > 0 ? kBottom : kTop, true, !open_};
+            leave = {((dy > 0 ? upper_ : lower_) - y) / dy, 0, 0, dy > 0 ? kTop : kBottom, true, !open_};
+        }
+        // All crossings with the walls, which go on above and below.
+        CrossingList walls;
+        append_walls(ray, walls);
+        std::sort(walls.begin(), walls.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+        // Far behind, the ray is outside of an outline that is finite, unless it runs along the walls; in the slab's
+        // beginning it is where the outline says.
+        const double start = std::max(enter.t, range.lower);
+        if (!(start < leave.t)) return false;
+        bool within = conic_ || dy != 0 ? inside_outline(ray.at(start)) : parity_before(walls, start);
+        const bool starts_inside = enter.t <= range.lower && within;
+        if (within && range.contains(enter.t)) out.push_back(enter);
+        for (const Crossing& c : walls) {
+            if (c.t <= start || c.t >= leave.t) continue;
+            if (range.contains(c.t)) out.push_back(c);
+            within = !within;
+        }
+        if (within && range.contains(leave.t)) out.push_back(leave);
+        return starts_inside;
+    }
+    [[nodiscard]] bool inside(Vec3d p) const override { return p.y > lower_ && p.y < upper_ && inside_outline(p); }
+    [[nodiscard]] Vec3d normal(Vec3d, const Crossing& c) const override {
+        if (c.part == kBottom) return {0, -1, 0};
+        if (c.part == kTop) return {0, 1, 0};
+        const CurvePiece& piece = pieces_[c.part];
+        const std::array<double, 2> along = piece.derivative(c.u);
+        if (!conic_) return {along[1], 0, -along[0]};
+        // Perpendicular to the outline, and to the line to the apex.
+        const std::array<double, 2> at = piece.at(c.u);
+        return cross(Vec3d{along[0], 0, along[1]}, Vec3d{at[0], 1, at[1]});
+    }
+    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
+
+private:
+    [[nodiscard]] bool inside_outline(Vec3d p) const {
+        if (!conic_) return inside_curves(curves_, p.x, p.z);
+        return p.y != 0 && inside_curves(curves_, p.x / p.y, p.z / p.y);
+    }
+    static bool parity_before(const CrossingList& walls, double t) {
+        bool odd = false;
+        for (const Crossing& c : walls)
+            if (c.t <= t) odd = !odd;
+        return odd;
+    }
+    /// Points of the outline in the plane through the ray and the apex (or the vertical): Bernstein coefficients of
+    /// their distance have one root for each wall that the ray meets.
+    void append_walls(const Ray& ray, CrossingList& out) const {
+        const Vec3d o = ray.origin;
+        const Vec3d d = ray.direction;
+        const Vec3d plane = conic_ ? cross(o, d) : cross(Vec3d{d.x, 0, d.z}, Vec3d{0, 1, 0});
+        if (!conic_ && d.x == 0 && d.z == 0) return;
+        for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+            const CurvePiece& piece = pieces_[i];
+            std::array<double, 4> distance{};
+            for (std::size_t k = 0; k < 4; ++k)
+                distance[k] = conic_ ? plane.x * piece.x[k] + plane.y + plane.z * piece.y[k]
+                                     : plane.x * (piece.x[k] - o.x) + plane.z * (piece.y[k] - o.z);
+            RootList roots;
+            append_bernstein_roots(distance, roots);
+            const bool changes = (distance[0] >= 0) != (distance[3] >= 0);
+            // A ray through the joint of two pieces: one of them takes it, by the same rule as in inside_curves.
+            if ((roots.size() % 2 == 1) != changes) roots.push_back(distance[0] == 0 ? 0.0 : 1.0);
+            for (const double u : roots) {
+                Crossing c;
+                c.part = i;
+                c.u = u;
+                const std::array<double, 2> at = piece.at(u);
+                if (conic_) {
+                    // Where o + t*d is parallel to the line from the apex to the outline's point.
+                    const Vec3d q{at[0], 1, at[1]};
+                    const Vec3d across = cross(d, q);
+                    const double square = dot(across, across);
+                    if (square == 0) continue;
+                    c.t = -dot(cross(o, q), across) / square;
+                } else {
+                    c.t = ((at[0] - o.x) * d.x + (at[1] - o.z) * d.z) / (d.x * d.x + d.z * d.z);
+                }
+                out.push_back(c);
+            }
+        }
+    }
+
+    bool conic_;
+    double lower_, upper_;
+    bool open_;
+    std::vector<Curve> curves_;
+    std::vector<CurvePiece> pieces_;
+    Bounds3d box_;
+};
+
+}  // namespace
+
+ShapePointer make_shape(const scene::Prism& prism, const SourceLocation& where) {
+    std::vector<Curve> curves = closed_curves(prism.spline, prism.points);
+    if (curves.empty()) refuse_shape(where, "a prism needs more points for this kind of spline");
+    if (prism.lower == prism.upper) refuse_shape(where, "a prism's two heights must differ");
+    return std::make_shared<Prism>(prism, std::move(curves));
+}
+
+}  // namespace sundog::solids
