@@ -59,7 +59,7 @@ KERNEL_CONST uint MATERIAL_HIGHLIGHT = 8u;     ///< specular is not black.
 KERNEL_CONST uint MATERIAL_TEXTURED = 16u;     ///< Any *_texture is set, or checker.
 KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, or opacity_texture is set: never culled.
 
-KERNEL_CONST uint MATERIAL_PATTERNED = 64u;    ///< A texture of layers: Material::patterned says which.
+KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material::patterned says which.
 
 /// Layer::flags.
 KERNEL_CONST uint LAYER_FRESNEL = 1u;          ///< Reflection follows Fresnel's equations by the interior's ior.
@@ -69,23 +69,27 @@ KERNEL_CONST uint LAYER_CONSERVE_ENERGY = 2u;  ///< What is reflected doesn't pa
 KERNEL_CONST uint MAX_LAYERS = 8u;
 
 /// Pigment programs: words of the array `code`. An instruction's first word is opcode | target << 8 | source << 16 |
-/// source2 << 24; operands follow, floats by their bits. Targets and sources number points, values or colours, of which there are
-/// PROGRAM_SLOTS each. Point 0 is where the pigment is asked for; colour 0 is the answer.
+/// source2 << 24; operands follow, floats by their bits. Targets and sources number points, values or colours, of which
+/// there are PROGRAM_SLOTS each. Point 0 is where the pigment is asked for; colour 0 is the answer.
 KERNEL_CONST uint PROGRAM_SLOTS = 8u;
 KERNEL_CONST uint OP_END = 0u;
 KERNEL_CONST uint OP_SOLID = 1u;      ///< colour[target] = 5 floats: red, green, blue, filter, transmit.
 KERNEL_CONST uint OP_TRANSFORM = 2u;  ///< point[target] = affine map (columns x, y, z, t) of point[source].
-KERNEL_CONST uint OP_FIELD = 3u;      ///< value[target] = field at point[source]: FIELD_*, 3 floats of parameters, noise generator.
-KERNEL_CONST uint OP_WAVE = 4u;       ///< value[target] = wave form of itself: WAVE_*, frequency, phase, exponent.
-KERNEL_CONST uint OP_MAP = 5u;        ///< colour[target] = map at value[source]: count, then position and 5 floats each.
-KERNEL_CONST uint OP_CHOICE = 6u;     ///< value[target] = which of a list is at point[source]: CHOICE_* and 4 floats.
-KERNEL_CONST uint OP_PICK = 7u;       ///< colour[target] = entry number value[source]: count, then 5 floats each.
-KERNEL_CONST uint OP_CLEAR = 8u;      ///< colour[target] = 0.
-KERNEL_CONST uint OP_BLEND_MAP = 9u;  ///< colour[target] += colour[source] by its share at value[source2] in a map: positions of the
-                                      ///< entry before, this one, and the one after.
-KERNEL_CONST uint OP_BLEND_PICK = 10u;  ///< colour[target] += colour[source] where value[source2] is the number (1 float).
-KERNEL_CONST uint OP_TURBULENCE = 12u;  ///< point[target] = point[source] stirred: 3 floats of amounts, octaves, lambda, omega.
-KERNEL_CONST uint OP_IMAGE = 11u;       ///< colour[target] = picture at point[source]: texture, flags, map type, filter, transmit.
+KERNEL_CONST uint OP_FIELD =
+    3u;  ///< value[target] = field at point[source]: FIELD_*, 3 floats of parameters, noise generator.
+KERNEL_CONST uint OP_WAVE = 4u;    ///< value[target] = wave form of itself: WAVE_*, frequency, phase, exponent.
+KERNEL_CONST uint OP_MAP = 5u;     ///< colour[target] = map at value[source]: count, then position and 5 floats each.
+KERNEL_CONST uint OP_CHOICE = 6u;  ///< value[target] = which of a list is at point[source]: CHOICE_* and 4 floats.
+KERNEL_CONST uint OP_PICK = 7u;    ///< colour[target] = entry number value[source]: count, then 5 floats each.
+KERNEL_CONST uint OP_CLEAR = 8u;   ///< colour[target] = 0.
+KERNEL_CONST uint OP_BLEND_MAP = 9u;  ///< colour[target] += colour[source] by its share at value[source2] in a map:
+                                      ///< positions of the entry before, this one, and the one after.
+KERNEL_CONST uint OP_BLEND_PICK =
+    10u;  ///< colour[target] += colour[source] where value[source2] is the number (1 float).
+KERNEL_CONST uint OP_TURBULENCE =
+    12u;  ///< point[target] = point[source] stirred: 3 floats of amounts, octaves, lambda, omega.
+KERNEL_CONST uint OP_IMAGE =
+    11u;  ///< colour[target] = picture at point[source]: texture, flags, map type, filter, transmit.
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;
@@ -148,10 +152,15 @@ KERNEL_CONST uint FEATURE_INSTANCES = 128u;  ///< Some geometry moves.
 KERNEL_CONST uint FEATURE_CULL = 256u;       ///< Back faces of opaque materials are not there.
 KERNEL_CONST uint FEATURE_BUMP = 512u;       ///< Some material has a bump or normal map.
 
-KERNEL_CONST uint FEATURE_PATTERNED = 1024u;   ///< Some material is a texture of layers.
-KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;  ///< Fog or a sky sphere.
+KERNEL_CONST uint FEATURE_PATTERNED = 1024u;     ///< Some material is a texture of layers.
+KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog or a sky sphere.
 KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
+
+/// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
+/// alone.
+KERNEL_CONST uint FEATURES_PLAIN =
+    FEATURE_SMOOTH | FEATURE_SHADOWS | FEATURE_MIRRORS | FEATURE_HIGHLIGHTS | FEATURE_ANALYTIC;
 
 /// Most surfaces at which a path may both reflect and refract before the weaker branch is dropped.
 KERNEL_CONST uint MAX_BRANCHES = 16u;
@@ -265,8 +274,8 @@ struct Light {
     vec3 place;  ///< Position; sun: unit direction towards it.
     vec3 color;
     uint kind;
-    uint flags;  ///< LIGHT_*
-    vec3 axis;   ///< spot, cylinder: unit direction in which it shines.
+    uint flags;          ///< LIGHT_*
+    vec3 axis;           ///< spot, cylinder: unit direction in which it shines.
     float bright, dark;  ///< spot: cosines of the half angles of the bright and the outer cone; cylinder: radii.
     float tightness;     ///< Exponent towards the rim.
     float fade_distance, fade_power;  ///< Power 0: no falloff with distance.
@@ -285,7 +294,7 @@ struct Camera {
 
 /// Fog (POV-Ray's reference, section 3.4.4.2). What is behind it is dimmed to the share 1/e over `distance`.
 struct Fog {
-    uint ground;       ///< 1: full at the height `offset` and below, thinning out upwards.
+    uint ground;  ///< 1: full at the height `offset` and below, thinning out upwards.
     float distance;
     vec3 color;
     float filter_share, transmit_share;  ///< How much of the dimmed light is tinted; how much of it passes at least.

@@ -49,6 +49,9 @@ public:
         if (options.threads > 0) arena_.initialize(options.threads);
         else arena_.initialize();
         kernel_ = lanes_ == 16 ? cpu::render_tile_16 : lanes_ == 8 ? cpu::render_tile_8 : cpu::render_tile_4;
+        plain_kernel_ = lanes_ == 16  ? cpu::render_plain_tile_16
+                        : lanes_ == 8 ? cpu::render_plain_tile_8
+                                      : cpu::render_plain_tile_4;
         const int threads = arena_.max_concurrency();
         device_.reset(rtcNewDevice(("threads=" + std::to_string(threads) + ",frequency_level=simd512").c_str()));
         if (!device_) throw DeviceError("Embree can't start on this processor");
@@ -118,8 +121,9 @@ private:
             totals.complete = false;
             return;
         }
-        const cpu::TileRays done =
-            kernel_({*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film});
+        const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
+        const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
+            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -132,6 +136,7 @@ private:
     int lanes_;
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
+    cpu::TileKernel plain_kernel_ = nullptr;
     tbb::task_arena arena_;
     std::atomic<std::int64_t> bytes_{0};  // outlives the Embree objects that count themselves off
     embree::Device device_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compiled once per width (SUNDOG_KERNEL_LANES): primary rays of a block of pixels, Whitted's integrator over Embree,
-// film.
+// Compiled twice per width (SUNDOG_KERNEL_LANES), for all scenes and for plain ones (SUNDOG_KERNEL_FEATURES), under the
+// name SUNDOG_TILE_KERNEL: primary rays of a block of pixels, Whitted's integrator over Embree, film.
 #include "device/cpu/tile_kernel.h"
 
 #include <algorithm>
@@ -214,7 +214,7 @@ void store_block(int x0, int y0, const BlockResult& block, const TileWork& work)
 
 }  // namespace
 
-TileRays SUNDOG_KERNEL_PASTE(render_tile_, SUNDOG_KERNEL_LANES)(const TileWork& work) {
+TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     const SceneView view = view_of(work);
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);

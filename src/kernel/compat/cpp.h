@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit; everything that
-// depends on it lives in an inline namespace of its own, so units of different widths can be linked together.
+// The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
+// SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
+// nothing there). Everything that depends on them lives in an inline namespace of its own, so units of different kinds
+// can be linked together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
 
@@ -16,9 +18,15 @@
 
 #define SUNDOG_KERNEL_PASTE_(a, b) a##b
 #define SUNDOG_KERNEL_PASTE(a, b) SUNDOG_KERNEL_PASTE_(a, b)
+#ifdef SUNDOG_KERNEL_FEATURES
+#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(plain_lanes, SUNDOG_KERNEL_LANES)
+#else
+#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES)
+#define SUNDOG_KERNEL_FEATURES 0xffffffffu
+#endif
 #define KERNEL_BEGIN           \
     namespace sundog::kernel { \
-    inline namespace SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES) {
+    inline namespace SUNDOG_KERNEL_SPACE {
 #define KERNEL_END \
     }              \
     }
@@ -31,7 +39,7 @@
 #define SCENE const SceneView &scene,
 #define SCENE_ scene,
 #define FRAME scene.frame
-#define FEATURE(bits) ((scene.frame.features & (bits)) != 0u)
+#define FEATURE(bits) ((scene.frame.features & (bits)&SUNDOG_KERNEL_FEATURES) != 0u)
 #define AT(array, i) scene.array[i]
 #define FIELD(array, i, field) load(&scene.array[0].field, sizeof(scene.array[0]), i)
 #define GET(array, i) load(&scene.array[0], sizeof(scene.array[0]), i)
