@@ -28,6 +28,8 @@ void set_area(const scene::LightArea& area, kernel::Light& out) {
     out.area_v = to_kernel(area.axis2);
     out.area_count_u = static_cast<std::uint32_t>(std::max(area.size1, 1));
     out.area_count_v = static_cast<std::uint32_t>(std::max(area.size2, 1));
+    // POV-Ray's adaptive 0 starts from an area's four corners, and each level more halves the distance.
+    out.area_probes = area.adaptive >= 0 ? (1U << std::min(area.adaptive, 8)) + 1 : 0;
     if (area.circular) out.flags |= kernel::LIGHT_CIRCULAR;
     if (area.orient) out.flags |= kernel::LIGHT_ORIENT;
     if (area.jitter) out.flags |= kernel::LIGHT_JITTER;

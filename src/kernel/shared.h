@@ -281,6 +281,7 @@ struct Light {
     float fade_distance, fade_power;  ///< Power 0: no falloff with distance.
     vec3 area_u, area_v;              ///< An area's sides; it is centred on place.
     uint area_count_u, area_count_v;  ///< Lights along them; 1 by 1: a point.
+    uint area_probes;  ///< Lights a side that are asked first: where they agree, they speak for all. 0: ask all.
 };
 
 /// Pinhole: a ray through image point (x, y) in [0,1]^2 (y down) starts at eye, towards

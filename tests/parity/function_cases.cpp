@@ -74,8 +74,8 @@ UniformValues uniforms_for(std::uint32_t function, Random& random) {
             u.v[13] = random.between(0, 3);
             u.v[14] = std::floor(random.between(0, 3));
             u.v[15] = std::floor(random.between(0, 3));
-            u.v[16] = std::floor(random.between(0, 3));
-            u.v[17] = std::floor(random.between(0, 4));
+            u.v[16] = random.between(-0.5F, 0.5F);
+            u.v[17] = random.between(-0.5F, 0.5F);
             break;
         case CALL_FOG:
         case CALL_LAYER:

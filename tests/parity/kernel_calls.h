@@ -262,7 +262,7 @@ FN Varying call_procedural(uint function, UniformValues u, Varying a) {
             r.v[0] = light_share(light, p, to_light, distance);
             r.v[1] = distance;
         } else {
-            put(r, 0u, area_light_place(light, uint(u.v[16]), uint(u.v[17]), to_light));
+            put(r, 0u, area_light_place(light, u.v[16], u.v[17], to_light));
         }
     }
     if (function == CALL_FOG) {

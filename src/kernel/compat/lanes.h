@@ -169,6 +169,8 @@ FN float abs(float x) { return std::fabs(x); }
 FN float floor(float x) { return std::floor(x); }
 FN float min(float a, float b) { return a < b ? a : b; }
 FN float max(float a, float b) { return a > b ? a : b; }
+FN uint min(uint a, uint b) { return a < b ? a : b; }
+FN uint max(uint a, uint b) { return a > b ? a : b; }
 
 /// True where all lanes hold the same index: neighbouring rays mostly hit the same thing, and one load is then
 /// worth

@@ -34,6 +34,8 @@ FN real abs(real x) { return std::fabs(x); }
 FN real floor(real x) { return std::floor(x); }
 FN real min(real a, real b) { return a < b ? a : b; }
 FN real max(real a, real b) { return a > b ? a : b; }
+FN uint min(uint a, uint b) { return a < b ? a : b; }
+FN uint max(uint a, uint b) { return a > b ? a : b; }
 FN real select(mask m, real a, real b) { return m ? a : b; }
 FN word select(mask m, word a, word b) { return m ? a : b; }
 

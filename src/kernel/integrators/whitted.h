@@ -2,11 +2,12 @@
 // Whitted's ray tracing (An Improved Illumination Model for Shaded Display, CACM 1980), iterative.
 //
 // Before including this header the device defines, in the kernel's namespace:
-//   Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind)   nearest hit in (t_min, t_max); geometry NONE on a
-//   miss mask trace_any(SCENE Ray ray, mask alive, uint ray_kind)      true where anything, opaque or not, lies in
-//   between
-// ray_kind is one of RAY_*; all but RAY_REFLECTED (any ray but the first) start or end close together. Lanes that aren't alive may
-// return anything.
+//   Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind)
+//     the nearest hit in (t_min, t_max); geometry NONE on a miss
+//   mask trace_any(SCENE Ray ray, mask alive, uint ray_kind)
+//     true where anything, opaque or not, lies in between
+// ray_kind is one of RAY_*; all but RAY_REFLECTED (any ray but the first) surely start or end close together. Lanes
+// that aren't alive may return anything.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 #define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 

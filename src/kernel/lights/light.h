@@ -62,10 +62,8 @@ FN real light_share(Light light, real3 point, real3 to_light, real distance) {
     return share;
 }
 
-/// Where light (u, v) of an area stands, seen from a point: the grid's corners are the area's.
-FN real3 area_light_place(Light light, uint u, uint v, real3 to_light) {
-    float s = light.area_count_u > 1u ? float(u) / float(light.area_count_u - 1u) - 0.5f : 0.0f;
-    float t = light.area_count_v > 1u ? float(v) / float(light.area_count_v - 1u) - 0.5f : 0.0f;
+/// Where an area light's point (s, t) in [-1/2, 1/2]^2 stands, seen from a point.
+FN real3 area_light_place(Light light, float s, float t, real3 to_light) {
     if ((light.flags & LIGHT_CIRCULAR) != 0u) {
         // Squares around the middle become circles: as far out along their rays as the square's side was.
         float reach = sqrt(s * s + t * t);

@@ -52,7 +52,8 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
 }
 
 /// Share of a light that reaches the lanes of `lit`, whose shadow ray starts at `origin`: of one point, or the mean
-/// over an area's.
+/// over an area's. An area with probes asks those first, spread over it from corner to corner; lanes in which all of
+/// them give the same are done.
 FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real distance, mask lit,
                           INOUT(RayCounts) counts) {
     Ray shadow;
@@ -60,22 +61,46 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
     shadow.direction = to_light;
     shadow.t_min = real(0.0f);
     shadow.t_max = distance;
-    uint count = light.area_count_u * light.area_count_v;
-    real3 sum = real3(real(0.0f));
-    for (uint i = 0u; i < count; i = i + 1u) {
-        if (count > 1u) {
-            real3 place = area_light_place(light, i % light.area_count_u, i / light.area_count_u, to_light);
-            if (light.kind == LIGHT_SUN) {
-                shadow.direction = normalize(place);
-            } else {
-                real3 to_place = place - origin;
-                shadow.t_max = length(to_place);
-                shadow.direction = to_place * (1.0f / max(shadow.t_max, real(1e-30f)));
+    bool is_area = light.area_count_u * light.area_count_v > 1u;
+    bool probing = light.area_probes > 1u && light.area_probes < max(light.area_count_u, light.area_count_v);
+    uint steps_u = probing ? min(light.area_probes, light.area_count_u) : light.area_count_u;
+    uint steps_v = probing ? min(light.area_probes, light.area_count_v) : light.area_count_v;
+    real3 result = real3(real(0.0f));
+    mask open = lit;
+    while (true) {
+        real3 sum = real3(real(0.0f));
+        real3 least = real3(real(1.0e30f));
+        real3 most = real3(real(-1.0e30f));
+        for (uint i = 0u; i < steps_u * steps_v; i = i + 1u) {
+            if (is_area) {
+                float s = steps_u > 1u ? float(i % steps_u) / float(steps_u - 1u) - 0.5f : 0.0f;
+                float t = steps_v > 1u ? float(i / steps_u) / float(steps_v - 1u) - 0.5f : 0.0f;
+                real3 place = area_light_place(light, s, t, to_light);
+                if (light.kind == LIGHT_SUN) {
+                    shadow.direction = normalize(place);
+                } else {
+                    real3 to_place = place - origin;
+                    shadow.t_max = length(to_place);
+                    shadow.direction = to_place * (1.0f / max(shadow.t_max, real(1e-30f)));
+                }
             }
+            real3 share = shadow_transmittance(SCENE_ shadow, open, counts);
+            sum = sum + share;
+            least = min(least, share);
+            most = max(most, share);
         }
-        sum = sum + shadow_transmittance(SCENE_ shadow, lit, counts);
+        float per_light = 1.0f / float(steps_u * steps_v);
+        if (!probing) return select(open, is_area ? sum * real(per_light) : sum, result);
+        real3 spread = most - least;
+        mask agree = max(spread.x, max(spread.y, spread.z)) < real(0.004f);
+        result = select(mask_and(open, agree), sum * real(per_light), result);
+        open = mask_and(open, mask_not(agree));
+        if (!any_lane(open)) return result;
+        probing = false;
+        steps_u = light.area_count_u;
+        steps_v = light.area_count_v;
     }
-    return count > 1u ? sum * real(1.0f / float(count)) : sum;
+    return result;
 }
 
 KERNEL_END
