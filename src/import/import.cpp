@@ -11,6 +11,7 @@
 #include "import/obj/obj_import.h"
 #include "import/orbit/orbit_import.h"
 #include "import/orbit/orbit_keys.h"
+#include "import/pov/pov_import.h"
 #include "scene/bounds.h"
 #include "scene/files.h"
 
@@ -64,6 +65,13 @@ scene::Scene import_model(const std::filesystem::path& file, const WarningSink& 
     return scene;
 }
 
+/// For a picture of the usual size; whoever knows more about it calls pov::import_pov() itself.
+scene::Scene import_pov_scene(const std::filesystem::path& file, const WarningSink& warn) {
+    pov::PovOptions options;
+    options.library_paths = pov::installed_library_paths();
+    return pov::import_pov(file, options, warn);
+}
+
 scene::Scene import_default_scene(const std::filesystem::path& file, const WarningSink& warn) {
     const OrbitConfig config = import_orbit_config(file, warn);
     const auto fail = [&](std::string message, std::string hint) {
@@ -88,9 +96,10 @@ scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& 
     const std::string ending = ending_of(file);
     if (ending == ".conf") return import_default_scene(file, warn);
     if (ending == ".obj") return import_model(file, warn);
+    if (ending == ".pov") return import_pov_scene(file, warn);
     if (ending != ".scene") {
         fail_file(std::make_shared<const std::string>(file.string()), "a scene of unknown format",
-                  "expected a .scene, .obj or .conf file");
+                  "expected a .scene, .obj, .pov or .conf file");
     }
     const std::filesystem::path config_file = file.parent_path() / "raytracer.conf";
     if (!is_file(config_file)) return import_orbit_scene(file, warn);

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "import/pov/pov_import.h"
 
+#include "import/pov/build_queries.h"
 #include "import/pov/build_scene.h"
 #include "import/pov/interpreter.h"
 #include "scene/files.h"
 
 namespace sundog::pov {
+
+std::vector<std::filesystem::path> installed_library_paths() {
+    std::vector<std::filesystem::path> folders;
+    for (const char* folder : {"/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include",
+                               "/usr/share/povray/include", "/opt/homebrew/share/povray-3.7/include"}) {
+        std::error_code error;
+        if (std::filesystem::is_directory(folder, error)) folders.emplace_back(folder);
+    }
+    return folders;
+}
 
 scene::Scene import_pov(const std::filesystem::path& file, const PovOptions& options, const WarningSink& warn) {
     scene::Scene scene;
@@ -14,7 +25,8 @@ scene::Scene import_pov(const std::filesystem::path& file, const PovOptions& opt
     SourceFiles sources;
     const FileFinder files(file.parent_path(), options);
     SceneBuilder builder(scene, sources, files, options, warn);
-    interpret(file, options, sources, builder, nullptr, warn);
+    ObjectQueries queries(sources, files, options);
+    interpret(file, options, sources, builder, &queries, warn);
     builder.finish();
     std::vector<std::string> read = std::move(scene.files);
     scene.files.clear();

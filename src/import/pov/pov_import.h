@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "import/pov/pov_options.h"
@@ -14,5 +15,8 @@ namespace sundog::pov {
 /// draw yet is left out with one warning for each feature. Errors: InputError at the statement at fault, also for
 /// limits and files that `options` doesn't allow.
 scene::Scene import_pov(const std::filesystem::path& file, const PovOptions& options, const WarningSink& warn);
+
+/// Where POV-Ray's include files (colors.inc and the rest) are installed on this machine.
+std::vector<std::filesystem::path> installed_library_paths();
 
 }  // namespace sundog::pov

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures, and which of them an object gets.
+#include "import/pov/build_texture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "import/pov/build_test_scene.h"
+
+namespace sundog::pov {
+namespace {
+
+const scene::PatternedSurface& surface(const BuiltScene& built, std::size_t object = 0) {
+    return *built.scene.materials.at(built.scene.objects.at(object).material).patterned;
+}
+const scene::TextureLayer& layer(const BuiltScene& built, std::size_t object = 0, std::size_t layer = 0) {
+    return surface(built, object).texture->layers.at(layer);
+}
+const scene::Pigment& pigment(const BuiltScene& built, std::size_t object = 0) { return *layer(built, object).pigment; }
+
+/// A point of the world as the pigment's pattern sees it.
+Vec3d pattern_point(const BuiltScene& built, Vec3d world, std::size_t object = 0) {
+    const Affine3d& pattern = pigment(built, object).pattern.pattern_from_texture;
+    return transform_point(pattern, transform_point(surface(built, object).texture_from_world, world));
+}
+void expect_near(Vec3d actual, Vec3d expected) {
+    EXPECT_NEAR(actual.x, expected.x, 1e-9);
+    EXPECT_NEAR(actual.y, expected.y, 1e-9);
+    EXPECT_NEAR(actual.z, expected.z, 1e-9);
+}
+
+// A million spheres of a few colours must not make a million materials.
+TEST(BuildTexture, EqualPlainTexturesAreOneMaterial) {
+    const BuiltScene built = build(
+        "#declare I = 0; #while (I < 100) sphere { x*I, 1 pigment { rgb <mod(I, 2), 0, 0> } finish { phong 1 } }"
+        " #declare I = I + 1; #end");
+    EXPECT_EQ(built.scene.objects.size(), 100U);
+    EXPECT_EQ(built.scene.materials.size(), 2U);
+}
+
+TEST(BuildTexture, PatternsMakeAMaterialForEachPlace) {
+    const BuiltScene built = build(
+        "#declare T = texture { pigment { checker rgb 0 rgb 1 } }"
+        "sphere { 0, 1 texture { T } } sphere { 0, 2 texture { T } } sphere { 0, 1 texture { T } translate x }");
+    EXPECT_EQ(built.scene.objects[0].material, built.scene.objects[1].material);
+    EXPECT_NE(built.scene.objects[0].material, built.scene.objects[2].material);
+    EXPECT_EQ(surface(built, 0).texture, surface(built, 2).texture) << "the texture itself is shared";
+}
+
+// A texture that stays where it was while its object moves, or moves with what came before it.
+TEST(BuildTexture, MovesWithWhatFollowsIt) {
+    const BuiltScene built = build(
+        "sphere { 0, 1 translate 5*y pigment { gradient x scale 2 } translate x }"
+        "union { sphere { 0, 1 pigment { gradient x } } rotate 90*z }");
+    expect_near(pattern_point(built, {3, 0, 0}), {1, 0, 0});
+    expect_near(pattern_point(built, {0, 1, 0}, 1), {1, 0, 0});
+}
+
+// Transformations of a pigment reach the pigments in its map (povray's pictures show it).
+TEST(BuildTexture, MapsMoveTheirEntries) {
+    const BuiltScene built =
+        build("sphere { 0, 1 pigment { gradient x pigment_map { [0 gradient y scale 2] [1 rgb 1] } scale 3 } }");
+    const scene::Pigment& inner = *pigment(built).entries.at(0).pigment;
+    expect_near(transform_point(inner.pattern.pattern_from_texture, {0, 6, 0}), {0, 1, 0});
+}
+
+TEST(BuildTexture, ChildrenWithoutTextureTakeTheParents) {
+    const BuiltScene built = build(
+        "union { sphere { 0, 1 } sphere { x, 1 pigment { rgb y } } pigment { rgb x } }"
+        "difference { box { -1, 1 } sphere { 0, 1 pigment { rgb z } } pigment { rgb x } }");
+    EXPECT_EQ(pigment(built, 0).color.r, 1);
+    EXPECT_EQ(pigment(built, 1).color.g, 1);
+    const auto& solid = *std::get<std::shared_ptr<const scene::Solid>>(built.scene.objects.at(2).shape);
+    const auto& group = std::get<scene::SolidGroup>(solid.shape);
+    const auto color = [&](std::size_t child) {
+        return built.scene.materials.at(group.children.at(child)->material)
+            .patterned->texture->layers[0]
+            .pigment->color;
+    };
+    EXPECT_EQ(color(0).r, 1);
+    EXPECT_EQ(color(1).b, 1);
+}
+
+// texture { } on an object that has one lies over it; pigment { } replaces its pigment (both as povray draws them).
+TEST(BuildTexture, TexturesLayerAndPigmentsReplace) {
+    const BuiltScene built = build(
+        "#declare S = sphere { 0, 1 texture { pigment { rgb x } finish { phong 1 } } }"
+        "object { S texture { pigment { rgbt <0, 1, 0, 0.5> } } } object { S pigment { rgb z } }");
+    ASSERT_EQ(surface(built, 0).texture->layers.size(), 2U);
+    EXPECT_EQ(layer(built, 0, 1).pigment->color.transmit, 0.5F);
+    ASSERT_EQ(surface(built, 1).texture->layers.size(), 1U);
+    EXPECT_EQ(pigment(built, 1).color.b, 1);
+    EXPECT_EQ(layer(built, 1).finish.phong, 1);
+}
+
+// An object takes the default of where it is used; a texture that of where it is written.
+TEST(BuildTexture, DefaultsBindWherePovrayBindsThem) {
+    const BuiltScene built = build(
+        "#declare S = sphere { 0, 1 } #declare T = texture { pigment { rgb x } }"
+        "#default { pigment { rgb y } finish { ambient 0.7 } } object { S } sphere { 0, 1 texture { T } }"
+        "sphere { 0, 1 pigment { rgb z } }");
+    EXPECT_EQ(pigment(built, 0).color.g, 1);
+    EXPECT_FLOAT_EQ(layer(built, 0).finish.ambient.x, 0.7F);
+    EXPECT_FLOAT_EQ(layer(built, 1).finish.ambient.x, 0.1F);
+    EXPECT_FLOAT_EQ(layer(built, 2).finish.ambient.x, 0.7F);
+}
+
+TEST(BuildTexture, ColorMapsTakeBothFormsOfRows) {
+    const BuiltScene built =
+        build("sphere { 0, 1 pigment { gradient x color_map { [0.0 0.3 color rgb x color rgb y] [0.8 rgbt 1] } } }");
+    const auto& entries = pigment(built).entries;
+    ASSERT_EQ(entries.size(), 3U);
+    EXPECT_FLOAT_EQ(entries[1].at, 0.3F);
+    EXPECT_EQ(entries[1].color.g, 1);
+    EXPECT_EQ(entries[2].color.transmit, 1);
+}
+
+TEST(BuildTexture, ChoicesFillInPovraysColors) {
+    const BuiltScene built =
+        build("sphere { 0, 1 pigment { checker rgb 1 scale 2 } } sphere { 0, 1 pigment { brick } }");
+    EXPECT_EQ(pigment(built).kind, scene::Pigment::Kind::choice);
+    ASSERT_EQ(pigment(built).entries.size(), 2U);
+    EXPECT_EQ(pigment(built).entries[1].color.g, 1);
+    EXPECT_FLOAT_EQ(pigment(built, 1).entries[1].color.r, 0.6F);
+}
+
+// A lobe of cos^n reflects 2/(n+1) of a diffuse surface: albedo divides by it.
+TEST(BuildFinish, AlbedoIsWhatIsReflectedInAll) {
+    const BuiltScene built = build(
+        "sphere { 0, 1 finish { diffuse albedo 0.6 brilliance 3 phong albedo 0.2 phong_size 30"
+        " specular albedo 0.4 roughness 0.1 } }");
+    EXPECT_FLOAT_EQ(layer(built).finish.diffuse, 1.2F);
+    EXPECT_FLOAT_EQ(layer(built).finish.phong, 3.1F);
+    EXPECT_FLOAT_EQ(layer(built).finish.specular, 0.6F);
+}
+
+TEST(BuildFinish, ReflectionTakesOneColorOrTwo) {
+    const BuiltScene built = build(
+        "sphere { 0, 1 finish { reflection 0.3 } } sphere { 0, 1 finish { reflection { 0.1, rgb <0.5, 0.6, 0.7>"
+        " fresnel falloff 2 metallic } conserve_energy } interior { ior 1.5 fade_distance 2 fade_power 1001 } }");
+    EXPECT_FLOAT_EQ(layer(built, 0).finish.reflection_min.x, 0.3F);
+    EXPECT_FLOAT_EQ(layer(built, 1).finish.reflection_min.z, 0.1F);
+    EXPECT_FLOAT_EQ(layer(built, 1).finish.reflection_max.z, 0.7F);
+    EXPECT_TRUE(layer(built, 1).finish.reflection_fresnel);
+    EXPECT_TRUE(layer(built, 1).finish.conserve_energy);
+    EXPECT_FLOAT_EQ(surface(built, 1).interior.ior, 1.5F);
+    EXPECT_FLOAT_EQ(surface(built, 1).interior.fade_power, 1001);
+}
+
+// Finishes of before 3.1 said what interiors say since.
+TEST(BuildFinish, OldFinishesMakeInteriors) {
+    const BuiltScene built = build("#version 3.0; sphere { 0, 1 pigment { rgbf 1 } finish { refraction 1 ior 1.4 } }");
+    EXPECT_FLOAT_EQ(surface(built).interior.ior, 1.4F);
+}
+
+// A texture_map is exact where its finishes are equal: its pigments in one map.
+TEST(BuildTexture, TextureMapsBecomePigmentMaps) {
+    const BuiltScene built = build(
+        "sphere { 0, 1 texture { gradient y texture_map { [0.2 pigment { rgb x }] [0.8 pigment { rgb y }] } scale 2 } "
+        "}");
+    EXPECT_EQ(pigment(built).kind, scene::Pigment::Kind::mapped);
+    ASSERT_EQ(pigment(built).entries.size(), 2U);
+    EXPECT_EQ(pigment(built).entries[1].pigment->color.g, 1);
+    expect_near(pattern_point(built, {0, 2, 0}), {0, 1, 0});
+    EXPECT_TRUE(built.warnings.empty());
+}
+
+// What isn't drawn yet is kept and told once, not at each use.
+TEST(BuildTexture, WarnsOnceOfWhatIsNotDrawn) {
+    const BuiltScene built = build(
+        "#declare P = pigment { granite turbulence 0.5 color_map { [0 rgb 0] [1 rgb 1] } }"
+        "sphere { 0, 1 pigment { P } normal { bumps 0.3 } } sphere { 0, 1 pigment { P } normal { dents 2 } }");
+    EXPECT_EQ(pigment(built).pattern.kind, scene::Pattern::Kind::granite);
+    EXPECT_EQ(pigment(built).pattern.turbulence.x, 0.5);
+    EXPECT_EQ(built.warnings.size(), 3U) << "granite, turbulence, normal";
+}
+
+// A missing picture must not end the program: the scene is drawn with a stand-in that nobody overlooks.
+TEST(BuildTexture, MissingImagesAreMagenta) {
+    const BuiltScene built = build("sphere { 0, 1 pigment { image_map { png \"no-such-file.png\" once } } }");
+    ASSERT_EQ(built.scene.textures.size(), 1U);
+    EXPECT_TRUE(pigment(built).image.once);
+    ASSERT_EQ(built.warnings.size(), 1U);
+    EXPECT_NE(built.warnings[0].find("missing image file 'no-such-file.png'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sundog::pov

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.3 } }
+sphere { -0.9*x, 0.85 pigment { rgb <0.9, 0.5, 0.2> } finish { reflection { 0.7 exponent 0.6 } } }
+box { <0.2, -0.9, -0.4>, <1.4, 0.5, 0.6> pigment { rgb <0.3, 0.5, 0.9> } finish { reflection { 0.7 exponent 0.6 } } rotate 15*y }

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.3 } }
+sphere { 0, 1 pigment { rgbf 1 } finish { ambient 0 diffuse 0 } interior { ior 1.2 fade_distance 0.6 fade_power 2 fade_color rgb <0.2, 0.6, 0.9> } }
