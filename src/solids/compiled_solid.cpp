@@ -33,6 +33,19 @@ bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, Eve
     return !starts_inside;
 }
 
+CompiledSolid::Event CompiledSolid::event_of(const Node& node, const Ray& in_shape, const Crossing& c,
+                                             bool inside_before) const {
+    Event e;
+    e.crossing = c;
+    e.leaf = node.first;
+    e.toggles = c.toggles;
+    e.visible = c.visible;
+    e.faces_ray = c.toggles ? !inside_before
+                            : dot(leaves_[node.first].shape->normal(in_shape.at(c.t), c), in_shape.direction) < 0;
+    e.inside_after = c.toggles ? !inside_before : inside_before;
+    return e;
+}
+
 bool CompiledSolid::leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
     const Leaf& leaf = leaves_[node.first];
     const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
@@ -40,21 +53,31 @@ bool CompiledSolid::leaf_events(const Node& node, const Ray& ray, Range range, E
     const bool starts_inside = leaf.shape->crossings(in_shape, range, crossings);
     bool is_inside = starts_inside;
     for (const Crossing& c : crossings) {
-        Event e;
-        e.crossing = c;
-        e.leaf = node.first;
-        e.toggles = c.toggles;
-        e.visible = c.visible;
-        if (c.toggles) {
-            e.faces_ray = !is_inside;
-            is_inside = !is_inside;
-        } else {
-            e.faces_ray = dot(leaf.shape->normal(in_shape.at(c.t), c), in_shape.direction) < 0;
-        }
-        e.inside_after = is_inside;
-        out.push_back(e);
+        out.push_back(event_of(node, in_shape, c, is_inside));
+        is_inside = out.back().inside_after;
     }
     return starts_inside;
+}
+
+/// Appends the first visible event alone: all that a shape that stands by itself is asked for.
+void CompiledSolid::first_leaf_event(const Node& node, const Ray& ray, Range range, EventList& out) const {
+    const Leaf& leaf = leaves_[node.first];
+    const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
+    CrossingList crossings;
+    bool is_inside = leaf.shape->crossings(in_shape, range, crossings);
+    for (const Crossing& c : crossings) {
+        if (c.visible) {
+            out.push_back(event_of(node, in_shape, c, is_inside));
+            Event& e = out.back();
+            if (node.inverted) {
+                e.faces_ray = !e.faces_ray;
+                e.flipped = true;
+                e.inside_after = !e.inside_after;
+            }
+            return;
+        }
+        if (c.toggles) is_inside = !is_inside;
+    }
 }
 
 /// Puts the children's events together, place by place.
@@ -201,7 +224,8 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
         return;
     }
     EventList list;
-    events(index, ray, range, list);
+    if (node.combination == Combination::leaf) first_leaf_event(node, ray, range, list);
+    else events(index, ray, range, list);
     for (const Event& e : list) {
         if (!e.visible) continue;
         if (best) {
@@ -234,6 +258,12 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
             });
         }
         return found;
+    }
+    if (node.combination == Combination::leaf) {
+        const Leaf& leaf = leaves_[node.first];
+        CrossingList crossings;
+        leaf.shape->crossings(transform_ray(leaf.shape_from_world, ray), range, crossings);
+        return std::any_of(crossings.begin(), crossings.end(), [](const Crossing& c) { return c.visible; });
     }
     EventList list;
     events(index, ray, range, list);

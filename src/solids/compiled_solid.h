@@ -89,6 +89,9 @@ private:
     struct Sweep;
 
     bool events(std::uint32_t node, const Ray& ray, Range range, EventList& out) const;
+    [[nodiscard]] Event event_of(const Node& node, const Ray& in_shape, const Crossing& crossing,
+                                 bool inside_before) const;
+    void first_leaf_event(const Node& node, const Ray& ray, Range range, EventList& out) const;
     bool leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
     bool child_events(const Node& node, std::uint32_t child, const Ray& ray, Range range, EventList& all,
                       ChildStates& states) const;

@@ -60,16 +60,11 @@ public:
         const std::uint32_t row = c.part / columns_;
         const double u = std::clamp(p.x * columns_ - column, 0.0, 1.0);
         const double v = std::clamp((1 - p.z) * rows_ - row, 0.0, 1.0);
-        if (!smooth_) {
-            const std::array<double, 2> s = slopes(column, row, upper_triangle(u, v));
-            return {-s[0], 1, -s[1]};
-        }
+        const bool right = right_triangle(u, v);
+        if (!smooth_) return triangle_normal(column, row, right);
         // Between the normals of the triangle's corners, as between its heights.
-        const Vec3d a = vertex_normal(column, row);
-        const Vec3d b = vertex_normal(column + 1, row);
-        const Vec3d d = vertex_normal(column, row + 1);
-        const Vec3d e = vertex_normal(column + 1, row + 1);
-        return upper_triangle(u, v) ? a + (b - a) * u + (d - a) * v : e + (d - e) * (1 - u) + (b - e) * (1 - v);
+        return blend(vertex_normal(column, row), vertex_normal(column + 1, row), vertex_normal(column, row + 1),
+                     vertex_normal(column + 1, row + 1), u, v, right);
     }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
 
@@ -100,39 +95,46 @@ private:
     [[nodiscard]] double height(std::uint32_t column, std::uint32_t row) const {
         return (*heights_)[std::size_t{row} * (columns_ + 1) + column];
     }
-    /// Each cell's diagonal goes from its lower left to its upper right pixel as the picture is seen.
-    static bool upper_triangle(double u, double v) { return u + v <= 1; }
-    [[nodiscard]] double height_in(std::uint32_t column, std::uint32_t row, double u, double v, bool upper) const {
-        const double a = height(column, row);
-        const double b = height(column + 1, row);
-        const double d = height(column, row + 1);
-        const double e = height(column + 1, row + 1);
-        return upper ? a + (b - a) * u + (d - a) * v : e + (d - e) * (1 - u) + (b - e) * (1 - v);
+    /// Each cell's diagonal goes from its upper left to its lower right pixel as the picture is seen; u and v run from
+    /// the first to the last column and row.
+    static bool right_triangle(double u, double v) { return u >= v; }
+    /// Between the corners' values in a triangle: a and b above, d and e below.
+    template <class T>
+    static T blend(T a, T b, T d, T e, double u, double v, bool right) {
+        return right ? a + (b - a) * u + (e - b) * v : a + (e - d) * u + (d - a) * v;
+    }
+    [[nodiscard]] double height_in(std::uint32_t column, std::uint32_t row, double u, double v, bool right) const {
+        return blend(height(column, row), height(column + 1, row), height(column, row + 1), height(column + 1, row + 1),
+                     u, v, right);
     }
     [[nodiscard]] double height_at(double x, double z) const {
         const double u = x * columns_;
         const double v = (1 - z) * rows_;
         const auto column = static_cast<std::uint32_t>(std::clamp(u, 0.0, columns_ - 1.0));
         const auto row = static_cast<std::uint32_t>(std::clamp(v, 0.0, rows_ - 1.0));
-        return height_in(column, row, u - column, v - row, upper_triangle(u - column, v - row));
+        return height_in(column, row, u - column, v - row, right_triangle(u - column, v - row));
     }
-    /// dy/dx and dy/dz of a triangle.
-    [[nodiscard]] std::array<double, 2> slopes(std::uint32_t column, std::uint32_t row, bool upper) const {
+    /// Normal of a triangle, of height 1.
+    [[nodiscard]] Vec3d triangle_normal(std::uint32_t column, std::uint32_t row, bool right) const {
         const double a = height(column, row);
         const double b = height(column + 1, row);
         const double d = height(column, row + 1);
         const double e = height(column + 1, row + 1);
-        return {(upper ? b - a : e - d) * columns_, -(upper ? d - a : e - b) * rows_};
+        return {-(right ? b - a : e - d) * columns_, 1, (right ? e - b : d - a) * rows_};
     }
-    /// The mean of the normals around a pixel.
+    /// The mean of the unit normals of the triangles around a pixel.
     [[nodiscard]] Vec3d vertex_normal(std::uint32_t column, std::uint32_t row) const {
-        const std::uint32_t left = column > 0 ? column - 1 : 0;
-        const std::uint32_t right = std::min(column + 1, columns_);
-        const std::uint32_t up = row > 0 ? row - 1 : 0;
-        const std::uint32_t down = std::min(row + 1, rows_);
-        const double dx = (height(right, row) - height(left, row)) * columns_ / (right - left);
-        const double dz = -(height(column, down) - height(column, up)) * rows_ / (down - up);
-        return normalize(Vec3d{-dx, 1, -dz});
+        Vec3d sum;
+        for (std::uint32_t r = row > 0 ? row - 1 : 0; r <= row && r < rows_; ++r) {
+            for (std::uint32_t c = column > 0 ? column - 1 : 0; c <= column && c < columns_; ++c) {
+                // The diagonal's two pixels belong to both triangles, the others to one.
+                const bool on_diagonal = (c == column) == (r == row);
+                const bool at_right = c < column;
+                if (on_diagonal || at_right) sum += normalize(triangle_normal(c, r, true));
+                if (on_diagonal || !at_right) sum += normalize(triangle_normal(c, r, false));
+            }
+        }
+        return normalize(sum);
     }
     static Level coarser(const Level& fine) {
         Level level{(fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
@@ -185,16 +187,16 @@ private:
         const auto u_at = [&](double t) { return ray.at(t).x * columns_ - column; };
         const auto v_at = [&](double t) { return (1 - ray.at(t).z) * rows_ - row; };
         double start = within.lower;
-        const double sum_start = u_at(start) + v_at(start) - 1;
-        const double sum_end = u_at(within.upper) + v_at(within.upper) - 1;
-        const bool cuts_diagonal = (sum_start < 0) != (sum_end < 0);
+        const double side_start = u_at(start) - v_at(start);
+        const double side_end = u_at(within.upper) - v_at(within.upper);
+        const bool cuts_diagonal = (side_start < 0) != (side_end < 0);
         const double diagonal =
-            cuts_diagonal ? start + (within.upper - start) * std::clamp(sum_start / (sum_start - sum_end), 0.0, 1.0)
+            cuts_diagonal ? start + (within.upper - start) * std::clamp(side_start / (side_start - side_end), 0.0, 1.0)
                           : 0;
         for (int part = 0; part < (cuts_diagonal ? 2 : 1); ++part) {
             const double end = cuts_diagonal && part == 0 ? diagonal : within.upper;
-            const bool upper = cuts_diagonal ? (sum_start < 0) == (part == 0) : sum_start + sum_end <= 0;
-            const auto above = [&](double t) { return ray.at(t).y - height_in(column, row, u_at(t), v_at(t), upper); };
+            const bool right = cuts_diagonal ? (side_start >= 0) == (part == 0) : side_start + side_end >= 0;
+            const auto above = [&](double t) { return ray.at(t).y - height_in(column, row, u_at(t), v_at(t), right); };
             const double at_start = above(start);
             const double at_end = above(end);
             walk.arrive(start, at_start < 0, cell);

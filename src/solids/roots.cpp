@@ -28,6 +28,13 @@ int sign_changes(std::span<const double> c) {
 }
 
 double evaluate_bernstein(std::span<const double> c, double s) {
+    if (c.size() <= 7) {  // de Casteljau's scheme, which needs no division
+        std::array<double, 7> b;
+        std::copy(c.begin(), c.end(), b.begin());
+        for (std::size_t n = c.size() - 1; n > 0; --n)
+            for (std::size_t i = 0; i < n; ++i) b[i] += s * (b[i + 1] - b[i]);
+        return b[0];
+    }
     // Horner's scheme in s/(1-s) or its inverse, whichever is at most 1.
     const std::size_t n = c.size() - 1;
     const bool low = s <= 0.5;
@@ -65,7 +72,7 @@ double single_root(std::span<const double> c) {
         newest = s, f_newest = f;
         const bool newest_is_best = std::abs(f_newest) < std::abs(f_opposite);
         const double best = newest_is_best ? newest : opposite;
-        const double tolerance = 1e-16 * best + 1e-18;
+        const double tolerance = 4e-16 * best + 1e-18;
         const double share = tolerance / std::abs(opposite - newest);
         if (f == 0) return s;
         if (!(share < 0.5)) return best;

@@ -143,8 +143,8 @@ TEST(HeightFieldShape, PixelsAreWhereTheyBelong) {
     const auto height = [&](double x, double z) { return 2 - solid->nearest({{x, 2, z}, {0, -1, 0}}, {})->t; };
     EXPECT_NEAR(1, height(1e-9, 1 - 1e-9), 1e-6);    // the picture's upper left
     EXPECT_NEAR(0.5, height(1 - 1e-9, 1e-9), 1e-6);  // lower right
-    EXPECT_NEAR(0.25, height(0.5, 0.5), 1e-6);       // on the diagonal between the other two
-    EXPECT_NEAR(0.625, height(0.25, 0.75), 1e-6);
+    EXPECT_NEAR(0.75, height(0.5, 0.5), 1e-6);       // on the diagonal between these two
+    EXPECT_NEAR(0.875, height(0.25, 0.75), 1e-6);
 }
 
 // Catches ground under the water.

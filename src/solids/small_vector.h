@@ -2,39 +2,42 @@
 // A vector whose first N elements need no heap: a ray's crossings are few, and there are very many rays.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <new>
 #include <type_traits>
 #include <vector>
 
 namespace sundog::solids {
 
-/// Grows at its end only. T is trivially copyable.
+/// Grows and shrinks at its end only. T is trivially copyable.
 template <class T, std::size_t N>
 class SmallVector {
-    static_assert(std::is_trivially_copyable_v<T>);
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
 public:
+    SmallVector() = default;
+    SmallVector(const SmallVector&) = delete;
+    SmallVector& operator=(const SmallVector&) = delete;
+    ~SmallVector() = default;
+
     void push_back(const T& value) {
         if (size_ < N) {
-            inline_[size_++] = value;
+            ::new (static_cast<void*>(storage_ + size_ * sizeof(T))) T(value);
+            ++size_;
             return;
         }
-        if (size_ == N) heap_.assign(inline_.begin(), inline_.end());
+        if (size_ == N) heap_.assign(inline_data(), inline_data() + N);
         heap_.push_back(value);
         ++size_;
     }
     void pop_back() {
         --size_;
         if (size_ > N) heap_.pop_back();
-        else if (size_ == N) back_from_heap();
+        else if (size_ == N) heap_.clear();  // what lies inline has stayed as it was
     }
     void clear() {
         size_ = 0;
         heap_.clear();
-    }
-    void truncate(std::size_t size) {
-        while (size_ > size) pop_back();
     }
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -48,15 +51,13 @@ public:
     [[nodiscard]] const T& back() const { return data()[size_ - 1]; }
 
 private:
-    T* data() { return size_ > N ? heap_.data() : inline_.data(); }
-    [[nodiscard]] const T* data() const { return size_ > N ? heap_.data() : inline_.data(); }
-    void back_from_heap() {
-        for (std::size_t i = 0; i < N; ++i) inline_[i] = heap_[i];
-        heap_.clear();
-    }
+    T* inline_data() { return std::launder(reinterpret_cast<T*>(storage_)); }
+    [[nodiscard]] const T* inline_data() const { return std::launder(reinterpret_cast<const T*>(storage_)); }
+    T* data() { return size_ > N ? heap_.data() : inline_data(); }
+    [[nodiscard]] const T* data() const { return size_ > N ? heap_.data() : inline_data(); }
 
     std::size_t size_ = 0;
-    std::array<T, N> inline_;
+    alignas(T) std::byte storage_[N * sizeof(T)];  // not filled before it is used: that would cost more than most uses
     std::vector<T> heap_;
 };
 

@@ -6,13 +6,23 @@
 namespace sundog::solids {
 namespace {
 
-/// (a^p + b^p)^(1/p) for a, b >= 0, without overflow.
-double norm(double a, double b, double p) {
-    const double most = std::max(a, b);
-    if (most == 0) return 0;
-    const double least = std::min(a, b) / most;
-    return most * std::pow(1 + std::pow(least, p), 1 / p);
-}
+/// (a^p + b^p)^(1/p) for a, b >= 0, without overflow, and its derivatives by a and b, which need no more powers.
+struct Norm {
+    double value = 0, by_a = 0, by_b = 0;
+    Norm(double a, double b, double p) {
+        const bool a_most = a >= b;
+        const double most = a_most ? a : b;
+        if (most == 0) return;
+        const double share = (a_most ? b : a) / most;
+        const double power = std::pow(share, p);
+        const double growth = std::pow(1 + power, 1 / p);
+        value = most * growth;
+        const double by_most = growth / (1 + power);
+        const double by_least = share > 0 ? by_most * power / share : p == 1 ? by_most : 0;
+        by_a = a_most ? by_most : by_least;
+        by_b = a_most ? by_least : by_most;
+    }
+};
 
 // Inside where g(p) = ||(||(x, y)||_(2/e), z)||_(2/n) < 1: the reference's formula, brought to first degree. For e and
 // n up to 2 both are norms, g is convex, and a ray has at most one interval inside. Otherwise it is subdivided.
@@ -34,78 +44,75 @@ public:
     }
 
 private:
-    [[nodiscard]] double value(Vec3d p) const {
-        return norm(norm(std::abs(p.x), std::abs(p.y), p_), std::abs(p.z), q_);
+    struct ValueAndGradient {
+        double value;
+        Vec3d gradient;  ///< Its length is near 1, and it is 0 nowhere but at the centre.
+    };
+    [[nodiscard]] ValueAndGradient evaluate_at(Vec3d p) const {
+        const Norm around(std::abs(p.x), std::abs(p.y), p_);
+        const Norm all(around.value, std::abs(p.z), q_);
+        return {all.value,
+                {std::copysign(all.by_a * around.by_a, p.x), std::copysign(all.by_a * around.by_b, p.y),
+                 std::copysign(all.by_b, p.z)}};
     }
-    /// Of value(): its length is near 1, and it is 0 nowhere but at the centre.
-    [[nodiscard]] Vec3d gradient(Vec3d p) const {
-        const double around = norm(std::abs(p.x), std::abs(p.y), p_);
-        const double all = norm(around, std::abs(p.z), q_);
-        if (all == 0) return {};
-        const double of_around = std::pow(around / all, q_ - 1);
-        const auto part = [](double share, double exponent, double sign_of) {
-            return share == 0 && exponent <= 0 ? 0 : std::copysign(std::pow(share, exponent), sign_of);
-        };
-        Vec3d g{0, 0, part(std::abs(p.z) / all, q_ - 1, p.z)};
-        if (around > 0) {
-            g.x = of_around * part(std::abs(p.x) / around, p_ - 1, p.x);
-            g.y = of_around * part(std::abs(p.y) / around, p_ - 1, p.y);
-        }
-        return g;
-    }
-    [[nodiscard]] double slope(const Ray& ray, double t) const { return dot(gradient(ray.at(t)), ray.direction); }
+    [[nodiscard]] double value(Vec3d p) const { return evaluate_at(p).value; }
+    [[nodiscard]] Vec3d gradient(Vec3d p) const { return evaluate_at(p).gradient; }
 
-    /// From a place outside towards the inside: Newton's steps on a convex function stay outside. `inner` is inside.
-    [[nodiscard]] double root_from(const Ray& ray, double outer, double inner) const {
+    /// The value and its slope along a ray.
+    struct Sample {
+        double t, f, slope;
+    };
+    [[nodiscard]] Sample sample(const Ray& ray, double t) const {
+        const ValueAndGradient v = evaluate_at(ray.at(t));
+        return {t, v.value - 1, dot(v.gradient, ray.direction)};
+    }
+
+    /// From a place outside towards `inner`, which is inside: Newton's steps on a convex function stay outside.
+    [[nodiscard]] double root_from(const Ray& ray, Sample outer, double inner) const {
         for (int i = 0; i < 100; ++i) {
-            const double f = value(ray.at(outer)) - 1;
-            if (f <= 0) return outer;
-            double next = outer - f / slope(ray, outer);
-            const bool between = (next - outer) * (next - inner) <= 0;
-            if (!between) next = 0.5 * (outer + inner);
-            if (value(ray.at(next)) < 1 && next != outer) {
-                if (std::abs(next - outer) <= 1e-14 * (std::abs(next) + std::abs(outer))) return next;
-                inner = next;  // rounding, or a bisection, came too far
-                next = 0.5 * (outer + inner);
-                if (value(ray.at(next)) < 1) {
-                    inner = next;
-                    continue;
-                }
+            double next = outer.t - outer.f / outer.slope;
+            if (!((next - outer.t) * (next - inner) <= 0)) next = 0.5 * (outer.t + inner);
+            if (std::abs(next - outer.t) <= 4e-16 * std::abs(next)) return next;
+            const Sample s = sample(ray, next);
+            if (s.f > 0) {
+                outer = s;
+                continue;
             }
-            if (std::abs(next - outer) <= 1e-15 * std::abs(outer)) return next;
-            outer = next;
+            // Rounding, or a bisection, came to the inside.
+            if (std::abs(s.f) < 1e-15 || std::abs(next - outer.t) <= 1e-14 * std::abs(next)) return next;
+            inner = next;
+            const Sample middle = sample(ray, 0.5 * (outer.t + inner));
+            if (middle.f > 0) outer = middle;
+            else inner = middle.t;
         }
-        return outer;
+        return outer.t;
     }
 
     bool convex_crossings(const Ray& ray, Range in_box, Range range, CrossingList& out) const {
-        double a = in_box.lower;
-        double b = in_box.upper;
-        double fa = value(ray.at(a));
-        double fb = value(ray.at(b));
-        const bool starts_inside = fa < 1;
-        double inner = a;
-        if (!starts_inside && fb < 1) inner = b;
-        // Tangents at both ends bound a convex function from below; where they meet is the next place to look.
-        double sa = slope(ray, a);
-        double sb = slope(ray, b);
-        for (int i = 0; !(fa < 1) && !(fb < 1); ++i) {
-            if (!(sa < 0 && sb > 0) || i > 200) return false;
-            double t = (fb - fa + sa * a - sb * b) / (sa - sb);
-            if (fa + sa * (t - a) >= 1) return false;
-            if (i % 4 == 3 || !(t > a && t < b)) t = 0.5 * (a + b);
-            if (!(t > a && t < b)) return false;
-            const double f = value(ray.at(t));
-            const double s = slope(ray, t);
-            if (f < 1) {
-                inner = t;
-                break;
+        const Sample first = sample(ray, in_box.lower);
+        const Sample last = sample(ray, in_box.upper);
+        const bool starts_inside = first.f < 0;
+        double inner = starts_inside ? first.t : last.t;
+        if (!starts_inside && !(last.f < 0)) {
+            // Tangents at both ends bound a convex function from below; where they meet is the next place to look.
+            Sample a = first;
+            Sample b = last;
+            for (int i = 0;; ++i) {
+                if (!(a.slope < 0 && b.slope > 0) || i > 200) return false;
+                double t = (b.f - a.f + a.slope * a.t - b.slope * b.t) / (a.slope - b.slope);
+                if (a.f + a.slope * (t - a.t) >= 0) return false;
+                if (i % 4 == 3 || !(t > a.t && t < b.t)) t = 0.5 * (a.t + b.t);
+                if (!(t > a.t && t < b.t)) return false;
+                const Sample s = sample(ray, t);
+                if (s.f < 0) {
+                    inner = t;
+                    break;
+                }
+                (s.slope < 0 ? a : b) = s;
             }
-            if (s < 0) a = t, fa = f, sa = s;
-            else b = t, fb = f, sb = s;
         }
-        if (!starts_inside) append({root_from(ray, in_box.lower, inner)}, range, out);
-        if (value(ray.at(in_box.upper)) >= 1) append({root_from(ray, in_box.upper, inner)}, range, out);
+        if (!starts_inside) append({root_from(ray, first, inner)}, range, out);
+        if (!(last.f < 0)) append({root_from(ray, last, inner)}, range, out);
         return starts_inside;
     }
 
