@@ -26,6 +26,8 @@ public:
     }
 
 private:
+    using Spot = Interpreter::Spot;
+
     static constexpr std::size_t kMostVariables = 56;
     static constexpr std::size_t kMostNodes = 1'000'000;
 
@@ -52,25 +54,25 @@ private:
         f_.nodes.push_back(node);
         return static_cast<std::uint32_t>(f_.nodes.size() - 1);
     }
-    FunctionNode node(FunctionOp op, Place where) const {
+    FunctionNode node(FunctionOp op, Spot where) const {
         FunctionNode result;
         result.op = op;
         result.where = where;
         return result;
     }
-    std::uint32_t constant(double number, Place where) {
+    std::uint32_t constant(double number, Spot where) {
         FunctionNode result = node(FunctionOp::constant, where);
         result.number = number;
         return add(result, {});
     }
-    std::uint32_t binary(FunctionOp op, std::uint32_t a, std::uint32_t b, Place where) {
+    std::uint32_t binary(FunctionOp op, std::uint32_t a, std::uint32_t b, Spot where) {
         return add(node(op, where), std::array{a, b});
     }
 
     std::uint32_t parse_or() {
         std::uint32_t left = parse_and();
         while (in_.peek().kind == TokenKind::bar) {
-            const Place where = in_.here();
+            const Spot where = in_.here();
             in_.take();
             left = binary(FunctionOp::logical_or, left, parse_and(), where);
         }
@@ -79,7 +81,7 @@ private:
     std::uint32_t parse_and() {
         std::uint32_t left = parse_relation();
         while (in_.peek().kind == TokenKind::ampersand) {
-            const Place where = in_.here();
+            const Spot where = in_.here();
             in_.take();
             left = binary(FunctionOp::logical_and, left, parse_relation(), where);
         }
@@ -110,7 +112,7 @@ private:
                 default:
                     return left;
             }
-            const Place where = in_.here();
+            const Spot where = in_.here();
             in_.take();
             left = binary(op, left, parse_sum(), where);
         }
@@ -120,7 +122,7 @@ private:
         for (;;) {
             const TokenKind kind = in_.peek().kind;
             if (kind != TokenKind::plus && kind != TokenKind::minus) return left;
-            const Place where = in_.here();
+            const Spot where = in_.here();
             in_.take();
             left =
                 binary(kind == TokenKind::plus ? FunctionOp::add : FunctionOp::subtract, left, parse_product(), where);
@@ -131,7 +133,7 @@ private:
         for (;;) {
             const TokenKind kind = in_.peek().kind;
             if (kind != TokenKind::star && kind != TokenKind::slash) return left;
-            const Place where = in_.here();
+            const Spot where = in_.here();
             in_.take();
             left =
                 binary(kind == TokenKind::star ? FunctionOp::multiply : FunctionOp::divide, left, parse_unary(), where);
@@ -139,7 +141,7 @@ private:
     }
     std::uint32_t parse_unary() {
         const Interpreter::Level level(in_);
-        const Place where = in_.here();
+        const Spot where = in_.here();
         switch (in_.peek().kind) {
             case TokenKind::plus:
                 in_.take();
@@ -172,7 +174,7 @@ private:
                 in_.fail_expected("a number, a variable or a function");
         }
     }
-    double single(const Value& value, Place where) const {
+    double single(const Value& value, Spot where) const {
         if (value.count != 1) in_.fail(where, "functions are of floats: a component such as .x is needed here");
         return value.v[0];
     }
@@ -181,7 +183,7 @@ private:
             if (variables_[i] == name) return static_cast<std::uint32_t>(i);
         return std::nullopt;
     }
-    std::uint32_t parse_word(Place where) {
+    std::uint32_t parse_word(Spot where) {
         const bool is_keyword = in_.peek().kind == TokenKind::keyword;
         const NameId name = in_.peek().payload;
         const auto keyword = static_cast<Keyword>(is_keyword ? name : 0);
@@ -203,7 +205,7 @@ private:
         }
         return is_keyword ? parse_keyword(keyword, where) : parse_name(name, where);
     }
-    std::uint32_t parse_keyword(Keyword keyword, Place where) {
+    std::uint32_t parse_keyword(Keyword keyword, Spot where) {
         if (keyword == Keyword::sum || keyword == Keyword::prod) return parse_series(keyword, where);
         if (keyword == Keyword::function) {
             in_.take();
@@ -231,7 +233,7 @@ private:
             in_.fail_expected("a number, a variable or a function of floats");
         return constant(single(in_.parse_keyword_factor(), where), where);
     }
-    std::uint32_t parse_name(NameId name, Place where) {
+    std::uint32_t parse_name(NameId name, Spot where) {
         const Entity* found = in_.identifiers_.find(name);
         if (found == nullptr) in_.fail_undeclared(where, name);
         Entity entity = *found;
@@ -259,7 +261,7 @@ private:
         }
         return arguments;
     }
-    std::uint32_t call(std::shared_ptr<const FunctionExpression> function, Place where) {
+    std::uint32_t call(std::shared_ptr<const FunctionExpression> function, Spot where) {
         const std::vector<std::uint32_t> arguments = parse_arguments();
         const std::size_t wanted = parameter_count(*function);
         if (wanted != 0 && arguments.size() != wanted)
@@ -289,9 +291,9 @@ private:
         return add(result, arguments);
     }
     /// sum(i, from, to, term) and prod.
-    std::uint32_t parse_series(Keyword keyword, Place where) {
+    std::uint32_t parse_series(Keyword keyword, Spot where) {
         in_.take();
-        in_.expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+        in_.expect(TokenKind::left_paren, "after ", spelling(keyword));
         // As it stands: the counter need not be declared.
         const NameId counter = in_.peek().payload;
         if (in_.peek().kind != TokenKind::name && in_.peek().kind != TokenKind::keyword)
@@ -319,12 +321,12 @@ private:
 };
 
 std::shared_ptr<const FunctionExpression> Interpreter::parse_function() {
-    const Place where = here();
+    const Spot where = here();
     take();
     return parse_function(where);
 }
 
-std::shared_ptr<const FunctionExpression> Interpreter::parse_function(Place where) {
+std::shared_ptr<const FunctionExpression> Interpreter::parse_function(Spot where) {
     const GuardScope no_guard(guard_, {});
     const Level level(*this);
     auto function = std::make_shared<FunctionExpression>();
@@ -362,7 +364,7 @@ std::shared_ptr<const FunctionExpression> Interpreter::parse_function(Place wher
         function->kind = keyword == Keyword::pigment   ? FunctionKind::pigment
                          : keyword == Keyword::pattern ? FunctionKind::pattern
                                                        : FunctionKind::transform;
-        const Place block_place = here();
+        const Spot block_place = here();
         take();
         function->block = parse_block(keyword, block_place);
     } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The functions that POV-Ray's functions.inc declares by number (manual, 3.4 of the tutorial's reference to it).
+// The functions that POV-Ray's functions.inc declares by number.
 #pragma once
 
 #include <cstdint>

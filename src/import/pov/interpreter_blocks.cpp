@@ -20,9 +20,12 @@ bool is_packed_list(Keyword keyword) {
            keyword == Keyword::face_indices || keyword == Keyword::normal_indices || keyword == Keyword::uv_indices;
 }
 
-/// Blocks whose coefficients are one vector of more components than others have.
-bool has_long_vector(Keyword keyword) {
-    return keyword == Keyword::poly || keyword == Keyword::cubic || keyword == Keyword::quartic;
+/// True where a block's coefficients are to come, one vector of more components than others have.
+bool expects_coefficients(Keyword keyword, const std::vector<Item>& items) {
+    if (!items.empty() && std::holds_alternative<Keyword>(items.back().content))
+        return std::get<Keyword>(items.back().content) == Keyword::matrix;
+    if (keyword == Keyword::cubic || keyword == Keyword::quartic) return items.empty();
+    return keyword == Keyword::poly && items.size() == 1 && std::holds_alternative<Value>(items.front().content);
 }
 
 void deepen(std::uint32_t& depth, std::uint32_t inner) { depth = std::max(depth, inner); }
@@ -42,8 +45,9 @@ void Interpreter::parse_block_into(Block& block) {
     const GuardScope no_guard(guard_, {});
     block.version = version_;
     block.defaults = defaults_;
-    expect(TokenKind::left_brace, "after " + std::string(spelling(block.keyword)));
+    expect(TokenKind::left_brace, "after ", spelling(block.keyword));
     std::uint32_t inner = 0;
+    block.items.reserve(4);
     parse_items(block.items, TokenKind::right_brace, block.keyword, inner);
     block.depth = inner + 1;
     check_depth(block.depth, block.where);
@@ -64,12 +68,12 @@ void Interpreter::parse_items(std::vector<Item>& items, TokenKind closing, Keywo
                 parse_name_item(items, context, depth);
                 break;
             case TokenKind::string: {
-                const Place where = here();
+                const Spot where = here();
                 items.push_back({where, parse_string()});
                 break;
             }
             case TokenKind::left_bracket: {
-                const Place where = here();
+                const Spot where = here();
                 const Level level(*this);
                 take();
                 auto row = std::make_shared<Row>();
@@ -81,16 +85,14 @@ void Interpreter::parse_items(std::vector<Item>& items, TokenKind closing, Keywo
                 break;
             }
             case TokenKind::list: {
-                const Place where = here();
+                const Spot where = here();
                 std::shared_ptr<const ValueList> list = ahead.file->lists[ahead.payload];
                 take();
                 append_list(items, std::move(list), where);
                 break;
             }
             case TokenKind::left_angle:
-                if (has_long_vector(context) ||
-                    (!items.empty() && std::holds_alternative<Keyword>(items.back().content) &&
-                     std::get<Keyword>(items.back().content) == Keyword::matrix)) {
+                if (expects_coefficients(context, items)) {
                     append_long_vector(items);
                     break;
                 }
@@ -100,8 +102,8 @@ void Interpreter::parse_items(std::vector<Item>& items, TokenKind closing, Keywo
             case TokenKind::plus:
             case TokenKind::minus:
             case TokenKind::exclamation: {
-                const Place where = here();
-                append_value(items, where, parse_value(), context);
+                const Spot where = here();
+                append_value(items, where, is_of_image(context) ? parse_expression() : parse_value(), context);
                 break;
             }
             case TokenKind::colon:
@@ -149,7 +151,7 @@ void Interpreter::append_long_vector(std::vector<Item>& items) {
     const Level level(*this);
     take();
     while (!accept(TokenKind::right_angle)) {
-        const Place where = here();
+        const Spot where = here();
         items.push_back({where, number_value(parse_number())});
         tick();
         accept(TokenKind::comma);
@@ -201,7 +203,7 @@ void Interpreter::parse_keyword_item(std::vector<Item>& items, Keyword context, 
 
 void Interpreter::parse_name_item(std::vector<Item>& items, Keyword context, std::uint32_t& depth) {
     const NameId name = ahead_.payload;
-    const Place where = ahead_.file->place(ahead_.offset);
+    const Spot where{ahead_.file, ahead_.offset};
     const Entity* found = identifiers_.find(name);
     if (found == nullptr) {
         if (context == Keyword::polynomial && names_.text(name) == "xyz") {
@@ -243,7 +245,7 @@ void Interpreter::parse_name_item(std::vector<Item>& items, Keyword context, std
 }
 
 void Interpreter::parse_function_item(std::vector<Item>& items, std::uint32_t& depth) {
-    const Place where = here();
+    const Spot where = here();
     // `function W, H { … }` is an image of that size.
     const TokenKind after = raw().kind();
     if (after != TokenKind::left_brace && after != TokenKind::left_paren) {
@@ -254,6 +256,8 @@ void Interpreter::parse_function_item(std::vector<Item>& items, std::uint32_t& d
             items.push_back({number_place, number_value(parse_number())});
             accept(TokenKind::comma);
         }
+        // As the formatter prints it.
+        if (peek().is(Keyword::function)) take();
     } else {
         take();
     }

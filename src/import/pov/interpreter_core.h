@@ -21,6 +21,15 @@ public:
     void run(const std::filesystem::path& path, SourceText source);
 
 private:
+    /// A token's place, worked out where it is needed only: finding a line takes longer than most tokens.
+    struct Spot {
+        const TokenFile* file = nullptr;
+        std::uint32_t offset = 0;
+        operator Place() const {
+            return file == nullptr ? Place{} : file->place(offset);
+        }  // NOLINT(google-explicit-constructor)
+    };
+
     // The stream of tokens. peek() runs directives and macros that stand before the next token.
 
     struct Lookahead {
@@ -96,7 +105,12 @@ private:
         take();
         return true;
     }
-    void expect(TokenKind kind, std::string_view context);
+    /// Takes a token of that kind. Errors: its absence, told with `context` and `word` behind it.
+    void expect(TokenKind kind, std::string_view context, std::string_view word = {}) {
+        if (peek_operator().kind != kind) fail_missing(kind, context, word);
+        take();
+    }
+    [[noreturn]] void fail_missing(TokenKind kind, std::string_view context, std::string_view word);
     /// The next token as it stands in the file behind what was looked at, without running anything; TokenKind::end at
     /// the frame's end.
     [[nodiscard]] Token raw() const;
@@ -115,14 +129,22 @@ private:
     [[noreturn]] void out_of_steps();
     void check_memory();
     void enter_file(const TokenFile& file);
-    void invoke(const std::shared_ptr<const Macro>& macro, Place where);
+    void invoke(const std::shared_ptr<const Macro>& macro, Spot where);
     std::uint32_t parse_parameter();
     std::optional<std::uint32_t> parse_reference();
 
     // Messages.
 
-    [[nodiscard]] Place here();
-    [[nodiscard]] Place raw_place() const;
+    /// Of the next token.
+    Spot here() {
+        const Lookahead& ahead = peek_operator();
+        return ahead.kind == TokenKind::held ? raw_place() : Spot{ahead.file, ahead.offset};
+    }
+    [[nodiscard]] Spot raw_place() const {
+        if (frames_.empty()) return {};
+        const Frame& frame = frames_.back();
+        return {frame.file, frame.file->tokens[frame.position].offset};
+    }
     [[noreturn]] void fail(Place where, std::string message, std::string hint = {}) const;
     /// "expected …, found …" about the next token.
     [[noreturn]] void fail_expected(std::string_view expected);
@@ -143,11 +165,11 @@ private:
     void run_clause(std::uint32_t slot);
     void run_else(std::uint32_t slot);
     void run_end();
-    void run_break(Place where);
+    void run_break(Spot where);
     void run_macro(std::uint32_t slot);
     void run_include();
     void run_version();
-    void run_default(Place where);
+    void run_default(Spot where);
     void run_message(Keyword kind);
     void run_undef();
     void jump(std::uint32_t slot) { frames_.back().position = slot; }
@@ -164,7 +186,7 @@ private:
     void run_fclose();
     void run_read();
     void run_write();
-    bool read_datum(OpenFile& file, Entity& into, Place where);
+    bool read_datum(OpenFile& file, Entity& into, Spot where);
     /// A form in which #write puts whole numbers.
     struct BinaryWord {
         std::uint32_t bytes = 1;
@@ -173,8 +195,8 @@ private:
         [[nodiscard]] std::string bytes_of(double number) const;
     };
     static std::optional<BinaryWord> binary_word(Keyword keyword);
-    std::filesystem::path find_file(const std::string& name, Place where);
-    const TokenFile& tokens_of(const std::filesystem::path& path, Place where);
+    std::filesystem::path find_file(const std::string& name, Spot where);
+    const TokenFile& tokens_of(const std::filesystem::path& path, Spot where);
 
     // Declarations and what may stand on their right side.
 
@@ -185,11 +207,11 @@ private:
     void fill_array(Array& array, std::size_t dimension, std::size_t& next);
     std::shared_ptr<const Spline> parse_spline();
     /// The element that subscripts name, read from `[` on, which has a value.
-    Entity element(const std::shared_ptr<Array>& array, NameId name, Place where);
-    std::size_t element_index(const Array& array, NameId name, Place where);
+    Entity element(const std::shared_ptr<Array>& array, NameId name, Spot where);
+    std::size_t element_index(const Array& array, NameId name, Spot where);
     /// The elements that subscripts lead to, through arrays of arrays.
-    std::vector<std::size_t> parse_subscripts(NameId name, Place where);
-    Entity& element_at(NameId name, const std::vector<std::size_t>& path, Place where);
+    std::vector<std::size_t> parse_subscripts(NameId name, Spot where);
+    Entity& element_at(NameId name, const std::vector<std::size_t>& path, Spot where);
     bool raw_is_defined();
 
     // Expressions.
@@ -209,17 +231,17 @@ private:
     void parse_color_words(Value& color);
     bool at_color_word();
     double parse_number();
-    Value value_of_entity(const Entity& entity, NameId name, Place where);
-    Value call_function(const FunctionExpression& function, Place where);
-    Value call_spline(const Spline& spline, Place where);
-    Value call_builtin(Keyword keyword, Place where);
-    Value call_aggregate(Keyword keyword, Place where);
-    Value call_of_names(Keyword keyword, Place where);
-    Value call_of_strings(Keyword keyword, Place where);
+    Value value_of_entity(const Entity& entity, NameId name, Spot where);
+    Value call_function(const FunctionExpression& function, Spot where);
+    Value call_spline(const Spline& spline, Spot where);
+    Value call_builtin(Keyword keyword, Spot where);
+    Value call_aggregate(Keyword keyword, Spot where);
+    Value call_of_names(Keyword keyword, Spot where);
+    Value call_of_strings(Keyword keyword, Spot where);
     Value argument(bool first);
-    double next_random(double stream, Place where);
+    double next_random(double stream, Spot where);
     static double days_since_2000();
-    Value call_geometry(Keyword keyword, Place where);
+    Value call_geometry(Keyword keyword, Spot where);
     std::shared_ptr<const Block> object_argument();
     Value constant_of(Keyword keyword);
     bool starts_expression();
@@ -230,9 +252,9 @@ private:
     // Strings.
 
     std::string parse_string();
-    std::string call_string_builtin(Keyword keyword, Place where);
-    std::string checked(std::string text, Place where);
-    std::string date_text(double days_since_2000, const std::string& format, Place where);
+    std::string call_string_builtin(Keyword keyword, Spot where);
+    std::string checked(std::string text, Spot where);
+    std::string date_text(double days_since_2000, const std::string& format, Spot where);
 
     // Blocks.
 
@@ -252,7 +274,7 @@ private:
     // User functions.
 
     std::shared_ptr<const FunctionExpression> parse_function();
-    std::shared_ptr<const FunctionExpression> parse_function(Place where);
+    std::shared_ptr<const FunctionExpression> parse_function(Spot where);
     friend class FunctionParser;
 
     const PovOptions& options_;

@@ -15,7 +15,7 @@ NameId Interpreter::raw_name(std::string_view what) {
         return ahead_.payload;
     }
     const Token token = raw();
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const bool is_word = token.kind() == TokenKind::keyword;
     if (is_word && !is_soft_keyword(static_cast<Keyword>(token.payload())))
         fail(where, in_quotes(names_.text(token.payload())) + " is a reserved word and can't be " + std::string(what),
@@ -37,7 +37,7 @@ void Interpreter::run_declare(bool local) {
         if (raw().kind() == TokenKind::string) deprecated = parse_string();
         else deprecated = "\n";  // stands for the usual message, which needs the name
     }
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId name = raw_name("an identifier to declare");
     std::vector<std::size_t> path;
     if (peek_raw_kind() == TokenKind::left_bracket) path = parse_subscripts(name, where);
@@ -74,7 +74,7 @@ void Interpreter::run_declare(bool local) {
 Entity Interpreter::parse_rvalue() {
     const Level level(*this);
     if (starts_string()) return parse_string();
-    const Place where = here();
+    const Spot where = here();
     if (ahead_.kind == TokenKind::name) {
         const NameId name = ahead_.payload;
         const Entity* found = identifiers_.find(name);
@@ -110,7 +110,7 @@ Entity Interpreter::parse_rvalue() {
 }
 
 Entity Interpreter::parse_array() {
-    const Place where = here();
+    const Spot where = here();
     take();
     auto array = std::make_shared<Array>();
     double count = 1;
@@ -137,7 +137,7 @@ Entity Interpreter::parse_array() {
 void Interpreter::fill_array(Array& array, std::size_t dimension, std::size_t& next) {
     const GuardScope no_guard(guard_, {});
     const Level level(*this);
-    const Place where = here();
+    const Spot where = here();
     expect(TokenKind::left_brace, "around the array's elements");
     std::size_t below = 1;
     for (std::size_t i = dimension + 1; i < array.sizes.size(); ++i) below *= array.sizes[i];
@@ -160,11 +160,11 @@ void Interpreter::fill_array(Array& array, std::size_t dimension, std::size_t& n
     next = end;
 }
 
-std::size_t Interpreter::element_index(const Array& array, NameId name, Place where) {
+std::size_t Interpreter::element_index(const Array& array, NameId name, Spot where) {
     const GuardScope no_guard(guard_, {});
     std::size_t index = 0;
     for (const std::uint32_t size : array.sizes) {
-        expect(TokenKind::left_bracket, "for each dimension of the array " + std::string(names_.text(name)));
+        expect(TokenKind::left_bracket, "for each dimension of the array ", names_.text(name));
         const double subscript = std::trunc(parse_number() + kEpsilon);
         if (!(subscript >= 0) || subscript >= size)
             fail(where, "element " + std::to_string(static_cast<long long>(std::clamp(subscript, -1e15, 1e15))) +
@@ -176,7 +176,7 @@ std::size_t Interpreter::element_index(const Array& array, NameId name, Place wh
     return index;
 }
 
-std::vector<std::size_t> Interpreter::parse_subscripts(NameId name, Place where) {
+std::vector<std::size_t> Interpreter::parse_subscripts(NameId name, Spot where) {
     const Entity* found = identifiers_.find(name);
     if (found == nullptr) fail_undeclared(where, name);
     Entity entity = *found;
@@ -192,7 +192,7 @@ std::vector<std::size_t> Interpreter::parse_subscripts(NameId name, Place where)
     return path;
 }
 
-Entity& Interpreter::element_at(NameId name, const std::vector<std::size_t>& path, Place where) {
+Entity& Interpreter::element_at(NameId name, const std::vector<std::size_t>& path, Spot where) {
     Entity* entity = identifiers_.find(name);
     for (const std::size_t index : path) {
         auto* array = entity == nullptr ? nullptr : std::get_if<std::shared_ptr<Array>>(entity);
@@ -203,7 +203,7 @@ Entity& Interpreter::element_at(NameId name, const std::vector<std::size_t>& pat
     return *entity;
 }
 
-Entity Interpreter::element(const std::shared_ptr<Array>& array, NameId name, Place where) {
+Entity Interpreter::element(const std::shared_ptr<Array>& array, NameId name, Spot where) {
     Entity value = array->elements[element_index(*array, name, where)];
     while (std::holds_alternative<std::shared_ptr<Array>>(value) && peek_raw_kind() == TokenKind::left_bracket) {
         const std::shared_ptr<Array> inner = std::get<std::shared_ptr<Array>>(value);
@@ -221,7 +221,7 @@ bool Interpreter::raw_is_defined() {
         skip_raw();
         return true;
     }
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId name = raw_name("an identifier");
     const Entity* entity = identifiers_.find(name);
     if (peek_raw_kind() != TokenKind::left_bracket) return entity != nullptr;

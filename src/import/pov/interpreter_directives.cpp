@@ -11,7 +11,7 @@ void Interpreter::run_directive() {
     Frame& frame = frames_.back();
     const std::uint32_t slot = frame.position;
     const auto directive = static_cast<Keyword>(frame.file->tokens[slot].payload());
-    const Place where = frame.file->place(frame.file->tokens[slot].offset);
+    const Spot where{frame.file, frame.file->tokens[slot].offset};
     frame.position += 2;
     switch (directive) {
         case Keyword::declare:
@@ -143,7 +143,7 @@ void Interpreter::run_while(std::uint32_t slot) {
 
 void Interpreter::run_for(std::uint32_t slot) {
     expect(TokenKind::left_paren, "after #for");
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId counter = raw_name("the loop's counter");
     expect(TokenKind::comma, "after the loop's counter");
     const double first = parse_number();
@@ -216,7 +216,7 @@ void Interpreter::run_clause(std::uint32_t slot) {
     }
 }
 
-void Interpreter::run_break(Place where) {
+void Interpreter::run_break(Spot where) {
     while (!conditionals_.empty() && conditionals_.back().frame == frames_.size()) {
         const Conditional conditional = conditionals_.back();
         conditionals_.pop_back();
@@ -230,7 +230,7 @@ void Interpreter::run_break(Place where) {
 void Interpreter::run_macro(std::uint32_t slot) {
     auto macro = std::make_shared<Macro>();
     macro->file = frames_.back().file;
-    const Place where = raw_place();
+    const Spot where = raw_place();
     macro->name = raw_name("the macro's name");
     if (!accept_raw(TokenKind::left_paren)) fail(raw_place(), "expected '(' after the macro's name");
     while (!accept_raw(TokenKind::right_paren)) {
@@ -246,8 +246,16 @@ void Interpreter::run_macro(std::uint32_t slot) {
 }
 
 void Interpreter::run_include() {
-    const Place where = raw_place();
-    const std::string name = parse_string();
+    const Spot where = raw_place();
+    std::string name;
+    if (const Lookahead& ahead = peek(); ahead.kind == TokenKind::string) {
+        // A path of Windows has backslashes that begin no escape sequences: the name is taken as it stands.
+        const std::string_view text = sources_.text(ahead.file->file).text.substr(ahead.offset + 1);
+        name = text.substr(0, text.find('"'));
+        take();
+    } else {
+        name = parse_string();
+    }
     const std::filesystem::path path = find_file(name, where);
     enter_file(tokens_of(path, where));
 }
@@ -266,7 +274,7 @@ void Interpreter::run_version() {
     if (peek_operator().kind == TokenKind::semicolon || ahead_.kind == TokenKind::held) take();
 }
 
-void Interpreter::run_default(Place where) {
+void Interpreter::run_default(Spot where) {
     const std::shared_ptr<const Block> changes = parse_block(Keyword::default_, where);
     auto all =
         std::make_shared<Block>(defaults_ ? *defaults_ : Block{Keyword::default_, version_, where, 1, {}, nullptr});
@@ -277,7 +285,7 @@ void Interpreter::run_default(Place where) {
 }
 
 void Interpreter::run_message(Keyword kind) {
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const std::string text = parse_string();
     if (kind == Keyword::error) fail(where, "the scene stops with #error: " + text);
     const PovStream stream = kind == Keyword::debug     ? PovStream::debug
@@ -288,7 +296,7 @@ void Interpreter::run_message(Keyword kind) {
 }
 
 void Interpreter::run_undef() {
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId name = raw_name("the identifier to undefine");
     if (peek_raw_kind() == TokenKind::left_bracket) {
         const std::vector<std::size_t> path = parse_subscripts(name, where);

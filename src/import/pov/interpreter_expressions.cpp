@@ -52,7 +52,7 @@ bool Interpreter::starts_expression() {
 }
 
 double Interpreter::parse_number() {
-    const Place where = here();
+    const Spot where = here();
     const Value value = parse_expression();
     if (value.count != 1 && !value.is_color) {
         fail(where, "expected a float, found a vector of " + std::to_string(value.count) + " components");
@@ -112,7 +112,7 @@ Value Interpreter::parse_term() {
             take();
             left = combined(left, parse_factor(), [](double a, double b) { return a * b; });
         } else if (kind == TokenKind::slash) {
-            const Place where = here();
+            const Spot where = here();
             take();
             const Value right = parse_factor();
             for (std::uint8_t i = 0; i < right.count; ++i)
@@ -266,7 +266,7 @@ bool Interpreter::parse_literal_vector(Value& value) {
 
 Value Interpreter::parse_vector() {
     Value value;
-    const Place where = here();
+    const Spot where = here();
     take();
     if (parse_literal_vector(value)) return value;
     const Level level(*this);
@@ -307,12 +307,12 @@ Value Interpreter::parse_name_factor() {
         take();
         return parse_components(copy);
     }
-    const Place where = here();
+    const Spot where = here();
     take();
     return parse_components(value_of_entity(Entity(*entity), name, where));
 }
 
-Value Interpreter::value_of_entity(const Entity& entity, NameId name, Place where) {
+Value Interpreter::value_of_entity(const Entity& entity, NameId name, Spot where) {
     if (const auto* value = std::get_if<Value>(&entity)) return *value;
     if (const auto* array = std::get_if<std::shared_ptr<Array>>(&entity))
         if (peek_operator().kind == TokenKind::left_bracket)
@@ -346,7 +346,7 @@ Value Interpreter::parse_keyword_factor() {
         case WordUse::of_names:
         case WordUse::of_strings:
         case WordUse::geometry: {
-            const Place where = here();
+            const Spot where = here();
             const Level level(*this);
             take();
             const WordUse use = word_use(keyword);
@@ -362,7 +362,7 @@ Value Interpreter::parse_keyword_factor() {
 }
 
 Value Interpreter::parse_color_form(Keyword form) {
-    const Place where = here();
+    const Spot where = here();
     const Level level(*this);
     take();
     Value value = parse_expression();

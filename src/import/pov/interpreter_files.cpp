@@ -62,14 +62,14 @@ fs::path FileFinder::output_path(std::string_view name) const {
     return path.is_absolute() ? path : (writable_.empty() ? scene_folder_ : writable_.front()) / path;
 }
 
-fs::path Interpreter::find_file(const std::string& name, Place where) {
+fs::path Interpreter::find_file(const std::string& name, Spot where) {
     const fs::path named_in = frames_.empty() ? fs::path{} : frames_.back().file->path;
     fs::path found = finder_.find(name, named_in);
     if (found.empty()) fail(where, "can't find the file " + in_quotes(name), finder_.why_not_found(name, named_in));
     return found;
 }
 
-const TokenFile& Interpreter::tokens_of(const fs::path& path, Place where) {
+const TokenFile& Interpreter::tokens_of(const fs::path& path, Spot where) {
     const TokenFile*& known = tokens_by_path_[path.lexically_normal().string()];
     if (known != nullptr) return *known;
     if (const auto reason = finder_.access().why_unreadable(path))
@@ -82,7 +82,7 @@ const TokenFile& Interpreter::tokens_of(const fs::path& path, Place where) {
 }
 
 void Interpreter::run_fopen() {
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId handle = raw_name("an identifier for the file");
     const std::string name = parse_string();
     const Lookahead& mode = peek();
@@ -133,14 +133,14 @@ std::optional<double> signed_number(const char*& at, const char* end) {
 }  // namespace
 
 void Interpreter::run_fclose() {
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId handle = raw_name("an open file");
     if (open_file(identifiers_.find(handle)) == nullptr)
         return warn_once(where, "fclose", "#fclose of " + in_quotes(names_.text(handle)) + ", which is no open file");
     identifiers_.undefine(handle);
 }
 
-bool Interpreter::read_datum(OpenFile& file, Entity& into, Place where) {
+bool Interpreter::read_datum(OpenFile& file, Entity& into, Spot where) {
     const char* const begin = file.text.data();
     const char* const end = begin + file.text.size();
     const char* at = begin + file.next;
@@ -187,14 +187,14 @@ bool Interpreter::read_datum(OpenFile& file, Entity& into, Place where) {
 
 void Interpreter::run_read() {
     expect(TokenKind::left_paren, "after #read");
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId handle = raw_name("an open file");
     const std::shared_ptr<OpenFile> file = open_file(identifiers_.find(handle));
     if (!file || file->mode != OpenFile::Mode::read)
         fail(where, in_quotes(names_.text(handle)) + " is no file that was opened to read");
     bool more = true;
     while (accept(TokenKind::comma)) {
-        const Place place = raw_place();
+        const Spot place = raw_place();
         const NameId name = raw_name("an identifier to read into");
         Entity value;
         if (peek_raw_kind() == TokenKind::left_bracket) {
@@ -213,13 +213,13 @@ void Interpreter::run_read() {
 
 void Interpreter::run_write() {
     expect(TokenKind::left_paren, "after #write");
-    const Place where = raw_place();
+    const Spot where = raw_place();
     const NameId handle = raw_name("an open file");
     const std::shared_ptr<OpenFile> file = open_file(identifiers_.find(handle));
     if (!file || file->mode != OpenFile::Mode::write)
         fail(where, in_quotes(names_.text(handle)) + " is no file that was opened to write");
-    while (accept(TokenKind::comma)) {
-        if (peek().kind == TokenKind::right_paren) break;
+    while (peek().kind != TokenKind::right_paren) {
+        if (accept(TokenKind::comma)) continue;
         if (const Lookahead& ahead = peek(); ahead.kind == TokenKind::keyword)
             if (const auto word = binary_word(static_cast<Keyword>(ahead.payload))) {
                 take();

@@ -24,9 +24,9 @@ Value Interpreter::argument(bool first) {
     return parse_expression();
 }
 
-Value Interpreter::call_builtin(Keyword keyword, Place where) {
+Value Interpreter::call_builtin(Keyword keyword, Spot where) {
     const GuardScope no_guard(guard_, {});
-    expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+    expect(TokenKind::left_paren, "after ", spelling(keyword));
     const Value a = argument(true);
     Value result;
     const auto three = [](const Value& value) { return promoted(value, 3); };
@@ -92,11 +92,11 @@ Value Interpreter::call_builtin(Keyword keyword, Place where) {
             }
         }
     }
-    expect(TokenKind::right_paren, "after the arguments of " + std::string(spelling(keyword)));
+    expect(TokenKind::right_paren, "after the arguments of ", spelling(keyword));
     return result;
 }
 
-double Interpreter::next_random(double stream, Place where) {
+double Interpreter::next_random(double stream, Spot where) {
     if (!(stream >= 0) || stream >= static_cast<double>(random_streams_.size()))
         fail(where, "rand of a stream that seed() didn't give");
     std::uint32_t& state = random_streams_[static_cast<std::size_t>(stream)];
@@ -106,9 +106,9 @@ double Interpreter::next_random(double stream, Place where) {
     return state / 4294967295.0;
 }
 
-Value Interpreter::call_aggregate(Keyword keyword, Place where) {
+Value Interpreter::call_aggregate(Keyword keyword, Spot where) {
     const GuardScope no_guard(guard_, {});
-    expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+    expect(TokenKind::left_paren, "after ", spelling(keyword));
     std::vector<double> arguments{argument(true).v[0]};
     std::vector<Value> choices;  // select may choose among vectors
     while (peek().kind != TokenKind::right_paren) {
@@ -124,9 +124,9 @@ Value Interpreter::call_aggregate(Keyword keyword, Place where) {
     return a < 0 ? choices[0] : choices.size() == 2 || a == 0 ? choices[1] : choices[2];
 }
 
-Value Interpreter::call_of_names(Keyword keyword, Place where) {
+Value Interpreter::call_of_names(Keyword keyword, Spot where) {
     const GuardScope no_guard(guard_, {});
-    expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+    expect(TokenKind::left_paren, "after ", spelling(keyword));
     double result = 0;
     if (keyword == Keyword::defined) {
         result = raw_is_defined() ? 1 : 0;
@@ -151,11 +151,11 @@ Value Interpreter::call_of_names(Keyword keyword, Place where) {
             result = sizes[static_cast<std::size_t>(dimension) - 1];
         }
     }
-    expect(TokenKind::right_paren, "after the arguments of " + std::string(spelling(keyword)));
+    expect(TokenKind::right_paren, "after the arguments of ", spelling(keyword));
     return number_value(result);
 }
 
-Value Interpreter::call_function(const FunctionExpression& function, Place where) {
+Value Interpreter::call_function(const FunctionExpression& function, Spot where) {
     const GuardScope no_guard(guard_, {});
     const Level level(*this);
     take();
@@ -175,7 +175,7 @@ Value Interpreter::call_function(const FunctionExpression& function, Place where
     }
 }
 
-Value Interpreter::call_spline(const Spline& spline, Place where) {
+Value Interpreter::call_spline(const Spline& spline, Spot where) {
     const GuardScope no_guard(guard_, {});
     take();
     const double parameter = parse_number();
@@ -193,7 +193,7 @@ Value Interpreter::call_spline(const Spline& spline, Place where) {
 }
 
 std::shared_ptr<const Block> Interpreter::object_argument() {
-    const Place where = here();
+    const Spot where = here();
     if (peek().kind == TokenKind::name) {
         const NameId name = ahead_.payload;
         const Entity* entity = identifiers_.find(name);
@@ -213,9 +213,9 @@ std::shared_ptr<const Block> Interpreter::object_argument() {
     return parse_block(keyword, where);
 }
 
-Value Interpreter::call_geometry(Keyword keyword, Place where) {
+Value Interpreter::call_geometry(Keyword keyword, Spot where) {
     const GuardScope no_guard(guard_, {});
-    expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+    expect(TokenKind::left_paren, "after ", spelling(keyword));
     const std::shared_ptr<const Block> object = object_argument();
     if (queries_ == nullptr)
         fail(where, std::string(spelling(keyword)) + "() asks about an object's shape, which isn't known here");
@@ -246,7 +246,7 @@ Value Interpreter::call_geometry(Keyword keyword, Place where) {
         const Vec3d corner = keyword == Keyword::min_extent ? bounds.lower : bounds.upper;
         result = vector_value(corner.x, corner.y, corner.z);
     }
-    expect(TokenKind::right_paren, "after the arguments of " + std::string(spelling(keyword)));
+    expect(TokenKind::right_paren, "after the arguments of ", spelling(keyword));
     return result;
 }
 

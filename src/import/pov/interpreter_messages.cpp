@@ -4,18 +4,6 @@
 
 namespace sundog::pov {
 
-Place Interpreter::here() {
-    const Lookahead& ahead = peek_operator();
-    if (ahead.kind == TokenKind::held) return raw_place();
-    return ahead.file->place(ahead.offset);
-}
-
-Place Interpreter::raw_place() const {
-    if (frames_.empty()) return {};
-    const Frame& frame = frames_.back();
-    return frame.file->place(frame.file->tokens[frame.position].offset);
-}
-
 void Interpreter::fail(Place where, std::string message, std::string hint) const {
     sources_.fail(where, std::move(message), std::move(hint));
 }
@@ -51,7 +39,7 @@ void Interpreter::fail_expected(std::string_view expected) {
     if (const Lookahead& ahead = peek_operator();
         ahead.kind == TokenKind::name && identifiers_.find(ahead.payload) == nullptr)
         fail_undeclared(here(), ahead.payload);
-    const Place where = here();
+    const Spot where = here();
     fail(where, "expected " + std::string(expected) + ", found " + describe_ahead());
 }
 

@@ -182,7 +182,7 @@ void Interpreter::fetch(bool respect_guard) {
                     if (respect_guard && frames_.size() == guard_.frames) return hold_back();
                     ++frame.position;
                     const std::shared_ptr<const Macro> kept = *macro;
-                    invoke(kept, frame.file->place(token.offset));
+                    invoke(kept, {frame.file, token.offset});
                     continue;
                 }
                 ++frame.position;
@@ -196,8 +196,7 @@ void Interpreter::fetch(bool respect_guard) {
     }
 }
 
-void Interpreter::expect(TokenKind kind, std::string_view context) {
-    if (peek_operator().kind == kind) return take();
+void Interpreter::fail_missing(TokenKind kind, std::string_view context, std::string_view word) {
     const char symbol = kind == TokenKind::left_brace      ? '{'
                         : kind == TokenKind::right_brace   ? '}'
                         : kind == TokenKind::left_paren    ? '('
@@ -209,16 +208,16 @@ void Interpreter::expect(TokenKind kind, std::string_view context) {
                         : kind == TokenKind::colon         ? ':'
                         : kind == TokenKind::comma         ? ','
                                                            : '?';
-    fail_expected("'" + std::string(1, symbol) + "' " + std::string(context));
+    fail_expected("'" + std::string(1, symbol) + "' " + std::string(context) + std::string(word));
 }
 
-void Interpreter::invoke(const std::shared_ptr<const Macro>& macro, Place where) {
+void Interpreter::invoke(const std::shared_ptr<const Macro>& macro, Spot where) {
     if (frames_.size() - files_open_ >= options_.limits.depth)
         fail(where, "more than " + std::to_string(options_.limits.depth) + " macros within each other",
              "a macro may call itself without end; the limit of depth can be raised");
     const GuardScope no_guard(guard_, {});
     const std::string_view name = names_.text(macro->name);
-    expect(TokenKind::left_paren, "after the macro " + std::string(name));
+    expect(TokenKind::left_paren, "after the macro ", name);
     const std::size_t first = parameters_.size();
     const std::size_t wanted = macro->parameters.size();
     const auto given = [&] { return parameters_.size() - first; };
@@ -267,7 +266,7 @@ std::optional<std::uint32_t> Interpreter::parse_reference() {
         slot < frame.end && (token.kind() == TokenKind::comma || token.kind() == TokenKind::right_paren);
     const bool has_subscript = slot > frame.position + 1;
     if (!is_lone || (has_subscript && entity == nullptr)) return std::nullopt;
-    const Place where = raw_place();
+    const Spot where = raw_place();
     skip_raw();
     if (!has_subscript) return identifiers_.reference(name);
     const auto* array = std::get_if<std::shared_ptr<Array>>(entity);

@@ -32,7 +32,7 @@ std::string in_utf8(std::uint32_t code) {
 
 }  // namespace
 
-std::string Interpreter::checked(std::string text, Place where) {
+std::string Interpreter::checked(std::string text, Spot where) {
     constexpr std::size_t kLongest = std::size_t{64} << 20U;
     if (text.size() > kLongest) fail(where, "a string of more than 64 MiB");
     tick(text.size() / 16 + 1);
@@ -47,7 +47,7 @@ std::string Interpreter::parse_string() {
         take();
         return file->strings[payload];
     }
-    const Place where = here();
+    const Spot where = here();
     if (ahead.kind == TokenKind::keyword && word_use(static_cast<Keyword>(ahead.payload)) == WordUse::string) {
         const auto keyword = static_cast<Keyword>(ahead.payload);
         const Level level(*this);
@@ -81,10 +81,10 @@ std::string Interpreter::parse_string() {
     fail_expected("a string");
 }
 
-std::string Interpreter::call_string_builtin(Keyword keyword, Place where) {
+std::string Interpreter::call_string_builtin(Keyword keyword, Spot where) {
     if (keyword == Keyword::input_file_name) return input_file_name_;
     const GuardScope no_guard(guard_, {});
-    expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+    expect(TokenKind::left_paren, "after ", spelling(keyword));
     std::string text;
     switch (keyword) {
         case Keyword::str: {
@@ -139,11 +139,11 @@ std::string Interpreter::call_string_builtin(Keyword keyword, Place where) {
             text = date_text(days, format, where);
         }
     }
-    expect(TokenKind::right_paren, "after the arguments of " + std::string(spelling(keyword)));
+    expect(TokenKind::right_paren, "after the arguments of ", spelling(keyword));
     return text;
 }
 
-std::string Interpreter::date_text(double days_since_2000, const std::string& format, Place where) {
+std::string Interpreter::date_text(double days_since_2000, const std::string& format, Spot where) {
     constexpr double kSecondsADay = 86400, kDays1970To2000 = 10957;
     if (!(std::fabs(days_since_2000) < 3e6)) fail(where, "datetime of a day too far away");
     const auto seconds = static_cast<std::time_t>(std::floor((days_since_2000 + kDays1970To2000) * kSecondsADay));
@@ -155,9 +155,9 @@ std::string Interpreter::date_text(double days_since_2000, const std::string& fo
     return {buffer.data(), size};
 }
 
-Value Interpreter::call_of_strings(Keyword keyword, Place where) {
+Value Interpreter::call_of_strings(Keyword keyword, Spot where) {
     const GuardScope no_guard(guard_, {});
-    expect(TokenKind::left_paren, "after " + std::string(spelling(keyword)));
+    expect(TokenKind::left_paren, "after ", spelling(keyword));
     const std::string text = parse_string();
     double result = 0;
     switch (keyword) {
@@ -184,7 +184,7 @@ Value Interpreter::call_of_strings(Keyword keyword, Place where) {
             if (!std::isfinite(result)) result = 0;
         }
     }
-    expect(TokenKind::right_paren, "after the arguments of " + std::string(spelling(keyword)));
+    expect(TokenKind::right_paren, "after the arguments of ", spelling(keyword));
     return number_value(result);
 }
 
