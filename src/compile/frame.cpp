@@ -133,6 +133,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.far_z = choose(options.far_z, settings.far_z, kNoFarClip);
     params.plane_count = plane_count_of(compiled);
     params.aovs = options.aovs;
+    params.working_gamma = settings.working_gamma;
 
     bool some_light_casts_shadows = false;
     for (const scene::Light& light : scene.lights) {

@@ -55,6 +55,14 @@ std::optional<std::uint32_t> field_of(Pattern::Kind kind) {
             return kernel::FIELD_WRINKLES;
         case Pattern::Kind::dents:
             return kernel::FIELD_DENTS;
+        case Pattern::Kind::cells:
+            return kernel::FIELD_CELLS;
+        case Pattern::Kind::crackle:
+            return kernel::FIELD_CRACKLE;
+        case Pattern::Kind::ripples:
+            return kernel::FIELD_RIPPLES;
+        case Pattern::Kind::waves:
+            return kernel::FIELD_WAVES;
         default:
             return std::nullopt;
     }
@@ -86,14 +94,6 @@ std::uint32_t standard_wave(Pattern::Kind kind) {
         case Pattern::Kind::wood:
         case Pattern::Kind::spiral1:
             return kernel::WAVE_TRIANGLE;
-        case Pattern::Kind::bozo:
-        case Pattern::Kind::bumps:
-        case Pattern::Kind::spotted:
-        case Pattern::Kind::granite:
-        case Pattern::Kind::wrinkles:
-        case Pattern::Kind::agate:
-        case Pattern::Kind::dents:
-            return kernel::WAVE_RAMP;
         case Pattern::Kind::spiral2:
             return kernel::WAVE_NONE;
         default:

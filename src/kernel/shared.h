@@ -110,6 +110,10 @@ KERNEL_CONST uint FIELD_GRANITE = 13u;
 KERNEL_CONST uint FIELD_AGATE = 14u;
 KERNEL_CONST uint FIELD_WRINKLES = 15u;
 KERNEL_CONST uint FIELD_DENTS = 16u;
+KERNEL_CONST uint FIELD_CELLS = 17u;
+KERNEL_CONST uint FIELD_CRACKLE = 18u;
+KERNEL_CONST uint FIELD_RIPPLES = 19u;
+KERNEL_CONST uint FIELD_WAVES = 20u;
 
 /// Lists of OP_CHOICE.
 KERNEL_CONST uint CHOICE_CHECKER = 0u;
@@ -325,8 +329,9 @@ struct FrameParams {
     uint plane_count;
     uint fog_count;
     uint sky_layer_count;
-    uint features;  ///< FEATURE_* bits
-    uint aovs;      ///< AOV_* bits wanted
+    uint features;        ///< FEATURE_* bits
+    uint aovs;            ///< AOV_* bits wanted
+    float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear.
     uint seed;
 };
 

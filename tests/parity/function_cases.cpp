@@ -52,7 +52,7 @@ UniformValues uniforms_for(std::uint32_t function, Random& random) {
             u.v[12] = random.between(5, 100);
             break;
         case CALL_FIELD:
-            u.v[12] = std::floor(random.between(0, FIELD_DENTS + 0.99F));
+            u.v[12] = std::floor(random.between(0, FIELD_WAVES + 0.99F));
             u.v[13] = std::floor(random.between(1, 5));
             break;
         case CALL_WAVE:

@@ -61,7 +61,26 @@ constexpr std::array kKinds{
     NamedKind{Keyword::wrinkles, Kind::wrinkles},
 };
 
-bool is_drawn(Kind kind) { return kind == Kind::gradient || (choice_count(kind) > 0 && kind != Kind::object); }
+bool is_drawn(Kind kind) {
+    switch (kind) {
+        case Kind::object:
+        case Kind::aoi:
+        case Kind::average:
+        case Kind::density_file:
+        case Kind::facets:
+        case Kind::fractal:
+        case Kind::function:
+        case Kind::image:
+        case Kind::pavement:
+        case Kind::pigment:
+        case Kind::quilted:
+        case Kind::slope:
+        case Kind::tiling:
+            return false;
+        default:
+            return true;
+    }
+}
 
 void skip_values(ItemReader& items) {
     while (items.value_follows()) items.skip();
@@ -168,15 +187,9 @@ std::optional<Wave> wave_of(Keyword keyword) {
     }
 }
 
-void warn_of_turbulence(ItemReader& items) {
-    items.context().warn_once("turbulence", items.taken_where(), "turbulence isn't drawn yet",
-                              "patterns keep their regular shape");
-}
-
 /// Parameters of patterns that aren't drawn yet, and of how they are computed.
 bool skip_modifier(ItemReader& items, Keyword keyword) {
     switch (keyword) {
-        case Keyword::agate_turb:
         case Keyword::accuracy:
         case Keyword::control0:
         case Keyword::control1:
@@ -184,7 +197,6 @@ bool skip_modifier(ItemReader& items, Keyword keyword) {
         case Keyword::exponent:
         case Keyword::form:
         case Keyword::metric:
-        case Keyword::noise_generator:
         case Keyword::offset:
         case Keyword::size:
         case Keyword::strength:
@@ -229,7 +241,14 @@ bool read_modifier(ItemReader& items, scene::Pattern& pattern) {
         case Keyword::turbulence:
             items.skip();
             pattern.turbulence = items.vector("an amount of turbulence");
-            if (length(pattern.turbulence) > 0) warn_of_turbulence(items);
+            return true;
+        case Keyword::agate_turb:
+            items.skip();
+            pattern.agate_turbulence = items.number("an amount of turbulence");
+            return true;
+        case Keyword::noise_generator:
+            items.skip();
+            pattern.noise_generator = items.integer("a noise generator", 1, 3);
             return true;
         case Keyword::octaves:
             items.skip();

@@ -79,7 +79,7 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
     }
 }
 
-/// Radiance that comes back along `ray` in the lanes of `alive` (0 in others).
+/// Linear radiance that comes back along `ray` in the lanes of `alive` (0 in others).
 ///
 /// On a chain of mirrors with reflectances r_j and own colours c_j the sum is c_0 R_0 + r_0 c_1 R_1 + r_0 r_1 c_2 R_2 +
 /// … with R_j = 1 - r_j, but R = 1 for the last: a surface whose secondary ray isn't followed (FrameParams::max_depth
@@ -221,6 +221,11 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             waiting_count = waiting_count - 1u;
             path = waiting[waiting_count];
         }
+    }
+    if (FRAME.working_gamma != 1.0f) {
+        real gamma = real(FRAME.working_gamma);
+        radiance = max(radiance, black);
+        radiance = real3(power(radiance.x, gamma), power(radiance.y, gamma), power(radiance.z, gamma));
     }
     return radiance;
 }

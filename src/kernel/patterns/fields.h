@@ -10,9 +10,6 @@
 
 KERNEL_BEGIN
 
-/// x - floor(x): in [0, 1).
-FN real fraction(real x) { return x - floor(x); }
-
 /// A field of noise before its wave form. `parameters`: agate's x is its amount of turbulence.
 FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint generator) {
     if (kind == FIELD_NOISE) return noise_value(p, generator);
@@ -23,6 +20,12 @@ FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint generator) {
         real n = noise_value(p, generator);
         return n * n * n;
     }
+    if (kind == FIELD_CELLS) {
+        word hash = cell_hash(real3(floor(p.x), floor(p.y), floor(p.z)), 0x2bu);
+        return real_from_word(hash >> 8u) * 5.9604645e-8f;
+    }
+    if (kind == FIELD_CRACKLE) return crackle_value(p);
+    if (kind == FIELD_RIPPLES || kind == FIELD_WAVES) return rings_value(p, kind == FIELD_RIPPLES);
     // agate: bands across z, bent by turbulence.
     real bent = turbulence_scalar(p, 6u, 2.0f, 0.5f, generator) * (2.6f * parameters.x);
     real band = 0.5f + 0.5f * sine((bent + 1.1f * p.z) * 6.28318531f);

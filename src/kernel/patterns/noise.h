@@ -10,6 +10,9 @@
 
 KERNEL_BEGIN
 
+/// x - floor(x): in [0, 1).
+FN real fraction(real x) { return x - floor(x); }
+
 /// A mixing function of 32 bits (Wellons, Prospecting for Hash Functions, 2018: lowbias32).
 FN word hash_word(word x) {
     x = (x ^ (x >> 16u)) * word(0x7feb352du);
@@ -107,6 +110,47 @@ FN real folded_noise(real3 p, uint octaves, float first, uint generator) {
         weight = weight * 0.5f;
     }
     return sum;
+}
+
+/// A random number in [0, 1) for each cell of the integer lattice.
+FN word cell_hash(real3 cell, uint seed) {
+    word hash = hash_word(word_from_real(clamp(cell.z + 8388608.0f, real(0.0f), real(16777214.0f))) + word(seed));
+    hash = hash_word(hash + word_from_real(clamp(cell.y + 8388608.0f, real(0.0f), real(16777214.0f))));
+    return hash_word(hash + word_from_real(clamp(cell.x + 8388608.0f, real(0.0f), real(16777214.0f))));
+}
+
+/// Distance to the second nearest of points strewn one a cell, less the distance to the nearest (Worley, A Cellular
+/// Texture Basis Function, SIGGRAPH 1996): 0 on the borders between them.
+FN real crackle_value(real3 p) {
+    real3 home = real3(floor(p.x), floor(p.y), floor(p.z));
+    real nearest = real(1.0e9f);
+    real second = real(1.0e9f);
+    for (uint i = 0u; i < 27u; i = i + 1u) {
+        real3 cell = home + real3(vec3(float(i % 3u) - 1.0f, float(i / 3u % 3u) - 1.0f, float(i / 9u) - 1.0f));
+        word hash = cell_hash(cell, 0x17u);
+        real3 jitter = real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u)) * real(0.5f);
+        real3 offset = cell + jitter + real3(real(0.5f)) - p;
+        real distance_squared = dot(offset, offset);
+        second = min(second, max(nearest, distance_squared));
+        nearest = min(nearest, distance_squared);
+    }
+    return min(sqrt(second) - sqrt(nearest), real(1.0f));
+}
+
+/// Rings around ten places near the origin, added up: mean 0.5, standard deviation 0.12. Ripples have one wavelength,
+/// 1; waves are each of another, the longer the higher.
+FN real rings_value(real3 p, bool one_wavelength) {
+    real sum = real(0.0f);
+    float power_sum = 0.0f;
+    for (uint i = 0u; i < 10u; i = i + 1u) {
+        word hash = hash_word(word(i * 7919u + 101u));
+        real3 source = real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
+        float frequency = one_wavelength ? 1.0f : 0.08f + 0.08f * float(i);
+        float height = 1.0f / frequency;
+        sum = sum + height * sine(fraction(length(p - source) * frequency) * 6.28318531f);
+        power_sum = power_sum + height * height * 0.5f;
+    }
+    return clamp(0.5f + sum * (0.12f / sqrt(power_sum)), real(0.0f), real(1.0f));
 }
 
 KERNEL_END
