@@ -60,7 +60,9 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
     shadow.origin = origin;
     shadow.direction = to_light;
     shadow.t_min = real(0.0f);
+    // Short of the light by both ends' rounding: a light may lie in a surface.
     shadow.t_max = distance;
+    if (light.kind != LIGHT_SUN) shadow.t_max = distance - hit_error(origin, real3(light.place), distance);
     bool is_area = light.area_count_u * light.area_count_v > 1u;
     bool probing = light.area_probes > 1u && light.area_probes < max(light.area_count_u, light.area_count_v);
     uint steps_u = probing ? min(light.area_probes, light.area_count_u) : light.area_count_u;
@@ -80,8 +82,9 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
                     shadow.direction = normalize(place);
                 } else {
                     real3 to_place = place - origin;
-                    shadow.t_max = length(to_place);
-                    shadow.direction = to_place * (1.0f / max(shadow.t_max, real(1e-30f)));
+                    real reach = length(to_place);
+                    shadow.t_max = reach - hit_error(origin, place, reach);
+                    shadow.direction = to_place * (1.0f / max(reach, real(1e-30f)));
                 }
             }
             real3 share = shadow_transmittance(SCENE_ shadow, open, counts);
