@@ -17,6 +17,9 @@ if(SUNDOG_SANITIZE)
     "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNSANITIZED>>>:-fsanitize=address,undefined;-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
   target_link_options(sundog_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(SUNDOG_FUZZ)
+  target_compile_options(sundog_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 # The same arithmetic on every x86-64 machine: no contraction into fused multiply-adds behind our back.
 target_compile_options(sundog_options INTERFACE -ffp-contract=off)
 

@@ -4,7 +4,7 @@
 
 _sundog() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]:-}
-  local commands="render view info compare bench help"
+  local commands="render view info compare bench pov help"
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
@@ -16,8 +16,9 @@ _sundog() {
     --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm tga bmp" -- "$word"); return ;;
     --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
+    --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
     -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --threads | --spp | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
+    --max-steps | --max-memory | --threads | --spp | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
@@ -30,6 +31,10 @@ _sundog() {
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
     bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load" ;;
+    pov)
+      options+=" --device --sandbox --allow-write --max-steps --max-memory +W +H +I +O +A +R +Q +FN +FJ +FT +UA +L +WT +KFF"
+      [[ $word == +* ]] && mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word") && return
+      files='@(pov|ini|POV|INI)' ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word"); return ;;
   esac
   if [[ $word == -* ]]; then
@@ -41,3 +46,12 @@ _sundog() {
   fi
 }
 complete -F _sundog sundog
+
+# The link by which other programs call it.
+_sundog_povray() {
+  COMP_WORDS=(sundog pov "${COMP_WORDS[@]:1}")
+  COMP_CWORD=$((COMP_CWORD + 1))
+  _sundog
+}
+# Where povray itself is installed, its own completion is left alone.
+if [[ $(readlink -f "$(type -P povray)") == */sundog ]]; then complete -F _sundog_povray povray; fi

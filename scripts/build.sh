@@ -8,8 +8,9 @@ build_packages=(
   libembree-dev libtbb-dev libvulkan-dev libsdl2-dev libimgui-dev
   libopenexr-dev libpng-dev libjpeg-dev libstb-dev libfmt-dev libcli11-dev libgtest-dev libbenchmark-dev
 )
-# What the tests drive besides: a software Vulkan, an X server, a mouse, a video encoder, the gallery's generator.
-test_packages=(mesa-vulkan-drivers xvfb xauth xdotool ffmpeg python3)
+# What the tests drive besides: a software Vulkan, an X server, a mouse, a video encoder, the gallery's generator, and
+# POV-Ray, whose pictures and include files scenes are compared with and read.
+test_packages=(mesa-vulkan-drivers xvfb xauth xdotool ffmpeg python3 povray povray-includes)
 lint_packages=(clang-format clang-tidy)
 
 say() { printf '%s\n' "$*" >&2; }

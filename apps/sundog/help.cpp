@@ -5,6 +5,7 @@
 
 #include "base/diagnostics.h"
 #include "command.h"
+#include "pov/pov_command.h"
 #include "usage_error.h"
 
 namespace sundog::app {
@@ -13,6 +14,10 @@ namespace {
 int help(const CLI::App& program, const std::string& topic) {
     if (topic.empty()) {
         fmt::print("{}", program.help());
+        return 0;
+    }
+    if (topic == "pov") {
+        fmt::print("{}", pov_help());
         return 0;
     }
     std::vector<std::string> names;

@@ -2,13 +2,16 @@
 // The command line: which subcommand was called, and what its failure means to the shell.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include "base/diagnostics.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
+#include "pov/pov_command.h"
 #include "usage_error.h"
 
 namespace sundog::app {
@@ -20,6 +23,7 @@ constexpr const char* kExamples =
     "  sundog render scenes/table/table.scene -o table.png --size 1920x1080\n"
     "  sundog render scenes/table/table.scene -o table.mp4 --frames 0..249\n"
     "  sundog info --devices\n"
+    "  sundog pov scene.pov +W800 +H600 +A0.3\n"
     "'sundog help COMMAND' tells more of one. A scene is a .scene or .obj file; without one, raytracer.conf in the\n"
     "working folder names it.";
 
@@ -58,7 +62,17 @@ void refuse_leftovers(const CLI::App& program) {
     throw UsageError(fmt::format("there is no {} '{}'", is_option ? "option" : "command", word), suggest(word, views));
 }
 
+/// The words of a povray command line: those behind `sundog pov`, or all of them where the program is called povray.
+std::optional<std::vector<std::string>> povray_words(int argc, char** argv) {
+    const std::vector<std::string> words(argv, argv + argc);
+    const bool is_povray = !words.empty() && std::filesystem::path(words[0]).filename().string().starts_with("povray");
+    if (!is_povray && (words.size() < 2 || words[1] != "pov")) return std::nullopt;
+    return std::vector<std::string>(words.begin() + (is_povray ? 1 : 2), words.end());
+}
+
 int run(int argc, char** argv) {
+    // POV-Ray's switches follow no custom that a parser of options knows.
+    if (const auto words = povray_words(argc, argv)) return run_pov(*words, SUNDOG_VERSION);
     CLI::App program{"Sundog, a ray tracer: OBJ and orbit scenes to pictures, in a window, as images and animations.",
                      "sundog"};
     program.footer(kExamples);
@@ -71,6 +85,7 @@ int run(int argc, char** argv) {
     add_info(program, action);
     add_compare(program, action);
     add_bench(program, action);
+    program.add_subcommand("pov", "Render a POV-Ray scene, called as povray is");
     add_help(program, action);
     try {
         program.parse(argc, argv);

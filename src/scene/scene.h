@@ -224,6 +224,7 @@ struct Scene {
     std::vector<Object> objects;
     Vec3 ambient{0.1F, 0.1F, 0.1F};  ///< Linear RGB, multiplies Ka.
     Vec3 sky{0, 0, 0};               ///< Linear RGB radiance of rays that hit nothing.
+    float sky_alpha = 1;             ///< Opacity of the sky in pictures that have alpha.
     std::vector<Fog> fogs;
     std::vector<SkySphere> sky_spheres;
     Settings settings;

@@ -2,8 +2,6 @@
 // Boxes that may reach to infinity.
 #pragma once
 
-#include <algorithm>
-
 #include "base/vec3d.h"
 #include "solids/ray.h"
 
@@ -24,22 +22,6 @@ Bounds3d transformed(const Affine3d& m, const Bounds3d& b);
 /// Grown by so little that only rounding needs it (a billionth of its size and place).
 Bounds3d padded(const Bounds3d& b);
 /// The part of `range` in which the ray is in the box; empty where it misses it.
-inline Range clip(const Bounds3d& b, const Ray& ray, Range range) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double o = ray.origin[axis];
-        const double d = ray.direction[axis];
-        if (d == 0) {
-            if (o < b.lower[axis] || o > b.upper[axis]) return {1, 0};
-            continue;
-        }
-        const double per_length = 1 / d;
-        const double t0 = (b.lower[axis] - o) * per_length;
-        const double t1 = (b.upper[axis] - o) * per_length;
-        range.lower = std::max(range.lower, std::min(t0, t1));
-        range.upper = std::min(range.upper, std::max(t0, t1));
-        if (range.lower > range.upper) return range;
-    }
-    return range;
-}
+Range clip(const Bounds3d& b, const Ray& ray, Range range);
 
 }  // namespace sundog::solids

@@ -11,16 +11,15 @@ namespace {
 /// coincide differ by rounding only.
 constexpr double kCoincident = 1e-10;
 
-double distance_of_origin(const Ray& ray) {
-    return std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction));
+double coincidence_tolerance(const Ray& ray, double t) {
+    return kCoincident * (std::abs(t) + std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction)));
 }
-double coincidence_tolerance(const Ray& ray, double t) { return kCoincident * (std::abs(t) + distance_of_origin(ray)); }
 
 }  // namespace
 
 bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, EventList& out) const {
     const Node& node = nodes_[index];
-    if (index != 0 && clip(node.active, ray, range).empty()) return node.state_beyond;
+    if (clip(node.active, ray, range).empty()) return node.state_beyond;
     const std::size_t first = out.size();
     const bool starts_inside = node.combination == Combination::leaf ? leaf_events(node, ray, range, out)
                                                                      : group_events(node, ray, range, out);
@@ -201,10 +200,9 @@ bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, 
     std::sort(all.begin(), all.end(), [](const Event& a, const Event& b) {
         return a.crossing.t != b.crossing.t ? a.crossing.t < b.crossing.t : a.child < b.child;
     });
-    const double reach = all.size() > 1 ? distance_of_origin(ray) : 0;
     for (std::size_t i = 0; i < all.size();) {
         const double t = all[i].crossing.t;
-        const double limit = t + kCoincident * (std::abs(t) + reach);
+        const double limit = t + coincidence_tolerance(ray, t);
         std::size_t end = i + 1;
         while (end < all.size() && all[end].crossing.t <= limit) ++end;
         sweep.place(all.begin() + i, all.begin() + end);
@@ -215,7 +213,7 @@ bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, 
 
 void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& range, std::optional<Event>& best) const {
     const Node& node = nodes_[index];
-    if (index != 0 && clip(node.active, ray, range).empty()) return;  // the root's box is the caller's to ask
+    if (clip(node.active, ray, range).empty()) return;
     if (node.combination == Combination::combined && !node.inverted) {
         if (node.tree == kNoTree)
             for (std::uint32_t child = 0; child < node.count; ++child)
@@ -239,15 +237,14 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
                 return;
         }
         best = e;
-        if (index != 0)
-            range.upper = std::min(range.upper, e.crossing.t + 2 * coincidence_tolerance(ray, e.crossing.t));
+        range.upper = std::min(range.upper, e.crossing.t + 2 * coincidence_tolerance(ray, e.crossing.t));
         return;
     }
 }
 
 bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) const {
     const Node& node = nodes_[index];
-    if (index != 0 && clip(node.active, ray, range).empty()) return false;
+    if (clip(node.active, ray, range).empty()) return false;
     if (node.combination == Combination::combined && !node.inverted) {
         bool found = false;
         if (node.tree == kNoTree) {

@@ -84,7 +84,11 @@ void read_background(BuildContext& context, const Block& block) {
         if (const auto base = items.take_block(Keyword::background)) {
             read_background(context, *base);
         } else if (!items.take(Keyword::color)) {
-            context.scene.sky = rgb_of(items.color("a color"));
+            const scene::PigmentColor color = items.color("a color");
+            context.scene.sky = rgb_of(color);
+            // Before version 3.7 no background is part of a picture that has alpha.
+            context.scene.sky_alpha =
+                block.version < 370 ? 0 : 1 - std::clamp(color.filter + color.transmit, 0.0F, 1.0F);
         }
     }
 }

@@ -71,27 +71,6 @@ scene::Polynomial read_terms(ItemReader& items, int order) {
     return result;
 }
 
-/// The terms of `polynomial { Order, xyz(2, 0, 1): Coefficient, … }`, in any order.
-NodeShape read_named_terms(ItemReader& items) {
-    constexpr int kMostOrder = 35;
-    scene::Polynomial result;
-    result.order = items.integer("an order", 2, kMostOrder);
-    while (items.value_follows()) {
-        const Vec3d exponents = items.vector("the exponents of a term");
-        const double coefficient = items.number("the coefficient of a term");
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (!(exponents[axis] >= 0)) items.fail("a negative exponent");
-        if (exponents.x + exponents.y + exponents.z > result.order) items.fail("a term of more than the order");
-        const scene::Polynomial::Term term{static_cast<std::uint8_t>(exponents.x),
-                                           static_cast<std::uint8_t>(exponents.y),
-                                           static_cast<std::uint8_t>(exponents.z), coefficient};
-        // The last value of a term counts.
-        std::erase_if(result.terms, [&](const auto& t) { return t.x == term.x && t.y == term.y && t.z == term.z; });
-        if (coefficient != 0) result.terms.push_back(term);
-    }
-    return result;
-}
-
 /// A blob's component: `sphere { … }` or `cylinder { … }`.
 scene::BlobComponent read_component(ObjectReader& objects, const Block& block) {
     ItemReader items(objects.context(), block);
@@ -121,7 +100,6 @@ scene::BlobComponent read_component(ObjectReader& objects, const Block& block) {
 }  // namespace
 
 NodeShape read_polynomial(ItemReader& items, Keyword keyword) {
-    if (keyword == Keyword::polynomial) return read_named_terms(items);
     if (keyword == Keyword::cubic) return read_terms(items, 3);
     if (keyword == Keyword::quartic) return read_terms(items, 4);
     constexpr int kMostOrder = 35;

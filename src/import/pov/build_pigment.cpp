@@ -32,18 +32,15 @@ std::shared_ptr<const Pigment> read_shared(BuildContext& context, const Block& b
 /// `[0.3 rgb 1]`, `[0.3 pigment items]` or the older `[0.3 0.5 color A color B]`.
 void read_row(BuildContext& context, const Row& row, Keyword map, PigmentEntries& entries) {
     ItemReader items(context, row, map);
+    const auto at = static_cast<float>(items.number("the place of a color in its map"));
     if (map == Keyword::pigment_map) {
-        // Rows of an average may go without a weight, which is 1 then.
-        const std::optional<double> place = items.maybe_number();
-        const float at = static_cast<float>(place.value_or(1));
         const auto rest = std::make_shared<Block>();
         rest->keyword = Keyword::pigment;
         rest->where = row.where;
-        rest->items.assign(row.items.begin() + (place ? 1 : 0), row.items.end());
+        rest->items.assign(row.items.begin() + 1, row.items.end());
         entries.push_back({at, {}, read_shared(context, *rest)});
         return;
     }
-    const auto at = static_cast<float>(items.number("the place of a color in its map"));
     if (!items.number_follows()) {
         entries.push_back({at, items.color("a color"), nullptr});
     } else {

@@ -40,9 +40,6 @@ void SceneBuilder::read(const Block& block) {
         case Keyword::global_settings:
             read_global_settings(context_, block);
             return;
-        case Keyword::default_:
-            context_.warn(block.where, "default { } without '#'; its settings are left out", "write #default { }");
-            return;
         case Keyword::rainbow:
             context_.warn_once("rainbow", block.where, "rainbow { } isn't drawn yet");
             return;

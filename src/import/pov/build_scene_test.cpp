@@ -237,25 +237,6 @@ TEST(BuildShape, PolynomialsCountDownX_Y_Z) {
     EXPECT_EQ(coefficient(1, 0, 0, 1), 9);
 }
 
-// The other syntax of the same shape, in any order of terms.
-TEST(BuildShape, PolynomialsMayNameTheirTerms) {
-    const BuiltScene built = build("polynomial { 4, xyz(0, 0, 0): -1, xyz(4, 0, 0): 2, xyz(1, 2, 1): 3 }");
-    const auto& polynomial = std::get<scene::Polynomial>(solid(built).shape);
-    EXPECT_EQ(polynomial.order, 4);
-    ASSERT_EQ(polynomial.terms.size(), 3U);
-    EXPECT_EQ(polynomial.terms[2].y, 2);
-    EXPECT_EQ(polynomial.terms[2].coefficient, 3);
-    EXPECT_NE(error_of("polynomial { 2, xyz(2, 1, 0): 1 }").find("a term of more than the order"), std::string::npos);
-}
-
-// `transform Name` without braces, as transforms.inc writes it.
-TEST(BuildShape, NamedTransformsNeedNoBraces) {
-    const BuiltScene built =
-        build("#declare T = transform { translate 2*x } sphere { 0, 1 transform T } camera { transform T }");
-    expect_near(std::get<scene::Sphere>(built.scene.objects.at(0).shape).center, {2, 0, 0});
-    expect_near(built.scene.projection_camera->location, {2, 0, 0});
-}
-
 // Pictures of old scenes too dark or too bright.
 TEST(BuildSettings, GammaDependsOnTheVersion) {
     EXPECT_FLOAT_EQ(build("#version 3.7; sphere { 0, 1 }").scene.settings.working_gamma, 1);

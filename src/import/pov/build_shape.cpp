@@ -131,7 +131,6 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
             return read_quadric(items);
         case Keyword::poly:
         case Keyword::cubic:
-        case Keyword::polynomial:
         case Keyword::quartic:
             return read_polynomial(items, block.keyword);
         case Keyword::blob:

@@ -95,8 +95,6 @@ private:
             read_map(*map);
         } else if (const auto materials = items_.take_block(Keyword::material_map)) {
             read_material_map(*materials);
-        } else if (const auto object = items_.take_block(Keyword::object)) {
-            read_object_pattern(*object);
         } else if (const auto tiles = items_.take_block(Keyword::tiles)) {
             read_tiles(*tiles);
         } else if (items_.take(Keyword::uv_mapping)) {
@@ -147,15 +145,14 @@ private:
             const auto row = items.take_row();
             if (!row) items.unexpected("a row in square brackets");
             ItemReader inside(context_, *row, Keyword::texture_map);
-            // Rows of an average may go without a weight, which is 1 then.
-            const std::optional<double> place = inside.maybe_number();
+            const auto at = static_cast<float>(inside.number("the place of a texture in its map"));
             Block texture;
             texture.keyword = Keyword::texture;
             texture.where = row->where;
             texture.version = block_.version;
             texture.defaults = block_.defaults;
-            texture.items.assign(row->items.begin() + (place ? 1 : 0), row->items.end());
-            entries_.push_back({static_cast<float>(place.value_or(1)), TextureBlockReader(owner_, texture).read()});
+            texture.items.assign(row->items.begin() + 1, row->items.end());
+            entries_.push_back({at, TextureBlockReader(owner_, texture).read()});
         }
     }
 
@@ -179,18 +176,6 @@ private:
             items.skip();
         }
         context_.fail(block.where, "a material_map without textures", "expected texture { }");
-    }
-
-    /// texture { object { Thing texture { outside } texture { inside } } }
-    void read_object_pattern(const Block& block) {
-        ItemReader items(context_, block);
-        items.take_block();
-        while (const auto texture = items.take_block(Keyword::texture)) entries_.push_back({0, owner_.read(texture)});
-        if (entries_.size() != 2) context_.fail(block.where, "the object pattern takes an object and two textures");
-        context_.warn_once("pattern object", block.where, "pattern 'object' isn't drawn yet",
-                           "its surfaces get one of its textures");
-        parts_.pattern.kind = scene::Pattern::Kind::object;
-        parts_.given = true;
     }
 
     void read_tiles(const Block& block) {

@@ -81,13 +81,6 @@ bool read_transform(ItemReader& items, Affine3d& placed_from_local) {
     const std::optional<Keyword> keyword = items.peek_keyword();
     if (!keyword) return false;
     switch (*keyword) {
-        case Keyword::transform: {  // `transform Name`: the block follows on its own
-            items.skip();
-            const auto named = items.take_block(Keyword::transform);
-            if (!named) items.unexpected("a transform");
-            placed_from_local = transform_of(items.context(), *named) * placed_from_local;
-            return true;
-        }
         case Keyword::translate:
             items.skip();
             placed_from_local.t += items.vector("a vector to translate by");

@@ -22,6 +22,7 @@ scene::Scene import_pov(const std::filesystem::path& file, const PovOptions& opt
     scene::Scene scene;
     scene.name = file.stem().string();
     scene.ambient = {1, 1, 1};  // global_settings' ambient_light
+    scene.sky_alpha = 0;        // POV-Ray's own background can't be seen where a picture has alpha.
     SourceFiles sources;
     const FileFinder files(file.parent_path(), options);
     SceneBuilder builder(scene, sources, files, options, warn);

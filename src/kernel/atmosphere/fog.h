@@ -36,14 +36,13 @@ FN real3 fog_transmittance(Fog fog, Ray ray, real distance, OUT(real3) glow) {
 }
 
 /// All fogs on the way of `distance` along a ray: dims `weight` and returns what they add to the radiance that it
-/// carries. Fogs don't dim each other's glow, as POV-Ray's pictures show.
+/// carries.
 FN real3 fog_radiance(SCENE Ray ray, real distance, INOUT(real3) weight) {
     real3 sum = real3(real(0.0f));
-    real3 undimmed = weight;
     for (uint i = 0u; i < FRAME.fog_count; i = i + 1u) {
         real3 glow;
         real3 passes = fog_transmittance(AT(fogs, i), ray, distance, glow);
-        sum = sum + undimmed * glow;
+        sum = sum + weight * glow;
         weight = weight * passes;
     }
     return sum;
