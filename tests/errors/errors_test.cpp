@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corpus of bad input: each x.expected holds what importing x.scene, x.obj or x.conf says (warnings, then the error
+// The corpus of bad input: each x.expected holds what importing x.scene, x.obj, x.pov or x.conf says (warnings, then the error
 // if there is one), in full, with this folder's path left out. With SUNDOG_WRITE_EXPECTED set in the environment the
 // files are written anew, to be read before they are committed.
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ const fs::path kFolder = fs::path(SUNDOG_SOURCE_DIR) / "tests" / "errors";
 
 /// What is imported by itself; libraries and good models are there for the others.
 bool is_case(const fs::path& file) {
-    static const std::set<std::string> kEndings = {".scene", ".obj", ".conf", ".stl"};
+    static const std::set<std::string> kEndings = {".scene", ".obj", ".conf", ".pov", ".stl"};
     return kEndings.contains(file.extension().string()) && file.filename() != "triangle.obj";
 }
 

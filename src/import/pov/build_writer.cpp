@@ -82,7 +82,6 @@ SceneWriter::Surroundings SceneWriter::within(const Surroundings& around, const 
     inside.no_image |= node.no_image;
     inside.no_reflection |= node.no_reflection;
     inside.double_illuminate |= node.double_illuminate;
-    inside.cutaway_textures |= node.cutaway_textures;
     inside.world_from_parent = around.world_from_parent * node.parent_from_shape;
     return inside;
 }
@@ -185,6 +184,18 @@ std::shared_ptr<const scene::SolidMesh> SceneWriter::solid_mesh_of(const NodeMes
     return out;
 }
 
+SceneWriter::Surroundings SceneWriter::cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside) {
+    Surroundings parts = inside;
+    if (!node.cutaway_textures || inside.texture) return parts;
+    for (const NodePointer& child : group.children) {
+        if (!child->texture.texture) continue;
+        parts.texture = child->texture.texture;
+        parts.world_from_texture = inside.world_from_parent * child->texture.parent_from_texture;
+        break;
+    }
+    return parts;
+}
+
 std::shared_ptr<const Solid> SceneWriter::solid_of(const Node& node, const Surroundings& around) {
     const Surroundings inside = within(around, node);
     auto solid = std::make_shared<Solid>();
@@ -192,7 +203,7 @@ std::shared_ptr<const Solid> SceneWriter::solid_of(const Node& node, const Surro
     solid->parent_from_shape = node.parent_from_shape;
     solid->inverted = node.inverted;
     solid->cutaway_textures = node.cutaway_textures;
-    if (inside.texture || !inside.cutaway_textures) solid->material = material_of(inside);
+    solid->material = material_of(inside);
     if (inside.interior_texture)
         solid->interior_material =
             materials_.of(inside.interior_texture, inside.world_from_interior_texture, inside.interior);
@@ -210,8 +221,9 @@ std::shared_ptr<const Solid> SceneWriter::solid_of(const Node& node, const Surro
             } else if constexpr (std::is_same_v<Shape, NodeGroup>) {
                 scene::SolidGroup group;
                 group.kind = shape.kind;
+                const Surroundings parts = cutaway(node, shape, inside);
                 for (const NodePointer& child : shape.children)
-                    if (auto part = solid_of(*child, inside)) group.children.push_back(std::move(part));
+                    if (auto part = solid_of(*child, parts)) group.children.push_back(std::move(part));
                 if (group.children.empty()) return false;
                 solid->shape = std::move(group);
                 return true;

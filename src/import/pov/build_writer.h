@@ -31,9 +31,11 @@ private:
         Affine3d world_from_texture{}, world_from_interior_texture{};
         InteriorPointer interior{};
         bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
-        bool cutaway_textures = false;
     };
     [[nodiscard]] static Surroundings within(const Surroundings& around, const Node& node);
+
+    /// For cutaway_textures: parts without a texture get that of the first part which has one.
+    [[nodiscard]] static Surroundings cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside);
 
     void add(const Node& node, const Surroundings& around);
     void add_light(const NodeLight& light, const Surroundings& inside);

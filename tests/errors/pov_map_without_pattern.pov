@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: Apache-2.0
+sphere { 0, 1 pigment { colour_map { [0 rgb 1] } } }
