@@ -29,16 +29,19 @@ void redirect(int descriptor, const char* file, int flags) {
 
 }  // namespace
 
-Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder)
+std::filesystem::path built_program() { return SUNDOG_PROGRAM; }
+
+Program::Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 const std::filesystem::path& program, const std::filesystem::path& input)
     : out_(temporary_file()), err_(temporary_file()) {
-    std::vector<std::string> words{SUNDOG_PROGRAM};
+    std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     pid_ = fork();
     if (pid_ != 0) return;
-    redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+    redirect(STDIN_FILENO, input.c_str(), O_RDONLY);
     redirect(STDOUT_FILENO, out_.c_str(), O_WRONLY | O_TRUNC);
     redirect(STDERR_FILENO, err_.c_str(), O_WRONLY | O_TRUNC);
     if (chdir(folder.c_str()) == 0) execv(argv[0], argv.data());
@@ -61,8 +64,9 @@ Outcome Program::wait() {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(out_), read_bytes(err_)};
 }
 
-Outcome run(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-    return Program(arguments, folder).wait();
+Outcome run(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+            const std::filesystem::path& program) {
+    return Program(arguments, folder, program).wait();
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -15,10 +15,16 @@ struct Outcome {
     std::string out, err;
 };
 
+/// The program that was built.
+std::filesystem::path built_program();
+
 /// `sundog ARGUMENTS`, started in `folder` with its standard output and error in files.
 class Program {
 public:
-    explicit Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".");
+    /// `program` may be another one, or a link to it. With `input`, standard input is that file.
+    explicit Program(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
+                     const std::filesystem::path& program = built_program(),
+                     const std::filesystem::path& input = "/dev/null");
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     /// Ends the program if it still runs.
@@ -33,7 +39,8 @@ private:
 };
 
 /// Runs to the end.
-Outcome run(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".");
+Outcome run(const std::vector<std::string>& arguments, const std::filesystem::path& folder = ".",
+            const std::filesystem::path& program = built_program());
 
 /// An empty folder that goes away with it.
 class TemporaryFolder {
