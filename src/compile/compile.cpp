@@ -54,7 +54,8 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
 MeshAttributes attributes_of(const scene::Scene& scene, const RenderScene& out) {
     MeshAttributes attributes;
     for (const kernel::Material& m : out.materials)
-        if (m.flags & kernel::MATERIAL_TEXTURED) attributes.uvs = true;
+        if ((m.flags & kernel::MATERIAL_TEXTURED) || (pattern_features(out, m) & kernel::FEATURE_TEXTURES))
+            attributes.uvs = true;
     for (const scene::Object& object : scene.objects)
         if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
             attributes.normals = attributes.normals || !mesh->normals.empty();

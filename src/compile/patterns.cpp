@@ -222,7 +222,12 @@ private:
     }
 
     void write_choice(const Pattern& pattern, std::uint32_t slot) {
-        const std::uint32_t point = write_stirred_point(pattern);
+        // Floors and walls lie on the borders of squares all the time (a checker on plane { y, -1 }); single precision
+        // would draw lots there. POV-Ray gives such a border to the upper side.
+        constexpr double kBorder = 1e-4;
+        Pattern raised = pattern;
+        raised.pattern_from_texture.t += Vec3d{kBorder, kBorder, kBorder};
+        const std::uint32_t point = write_stirred_point(raised);
         instruction(kernel::OP_CHOICE, slot, point);
         code_.push_back(choice_of(pattern.kind).value_or(kernel::CHOICE_CHECKER));
         put(pattern.brick_size);

@@ -2,6 +2,8 @@
 // Pigments compiled to programs and run by the kernel, one point at a time.
 #include "compile/patterns.h"
 
+#include "compile/compile.h"
+
 #include <gtest/gtest.h>
 
 #include "kernel/patterns/program.h"
@@ -121,6 +123,29 @@ TEST(Patterns, KnowsWhatLetsLightThrough) {
     EXPECT_NE(
         Compiled(gradient({{0, kRed, {}}, {1, {}, solid(kGlass)}})).material().flags & kernel::MATERIAL_TRANSPARENT,
         0U);
+}
+
+// Catches texture coordinates left out of a mesh whose only texture is a pigment on them: the kernel would read past
+// their end.
+TEST(Patterns, MeshesKeepTheCoordinatesThatPigmentsAskFor) {
+    auto pigment = std::make_shared<Pigment>();
+    pigment->uv_mapping = true;
+    auto texture = std::make_shared<scene::LayeredTexture>();
+    texture->layers.push_back({pigment, {}});
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    scene.materials[0].patterned = scene::PatternedSurface{texture, {}, {}};
+    scene::Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
+    mesh.triangles.push_back({{0, 1, 2}, {scene::kNone, scene::kNone, scene::kNone}, {0, 1, 2}, 0});
+    scene::Object object;
+    object.shape = mesh;
+    scene.objects.push_back(object);
+    const auto compiled = compile(scene, {});
+    EXPECT_NE(compiled->features & kernel::FEATURE_TEXTURES, 0U);
+    EXPECT_EQ(compiled->triangle_uvs.size(), compiled->triangles.size());
+    EXPECT_EQ(compiled->uvs.size(), 3U);
 }
 
 // Catches a program that writes over the kernel's slots where maps nest too deep.

@@ -51,7 +51,7 @@ struct PovOptions {
     std::vector<std::filesystem::path> library_paths;  ///< Searched after the including file's and the scene's folder.
     std::vector<PovDeclaration> declarations;
     std::filesystem::path include_header;  ///< Read before the scene; empty: none.
-    std::uint16_t version = 370;           ///< 100 times the language's version where the scene doesn't say.
+    std::uint16_t version = 362;  ///< 100 times the language's version where the scene doesn't say: povray 3.7's own.
     PovLimits limits;
     PovAccess access;
     /// Receives what the scene prints, as it prints it; may be empty.
