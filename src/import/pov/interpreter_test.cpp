@@ -162,7 +162,8 @@ TEST(PovInterpreter, ConditionsAndValuesOfTheOptions) {
         printed("#debug concat(str(clock,0,2), str(frame_number,0,0), str(image_width,0,0), str(Given,0,1), Name)",
                 options),
         "0.257642.5n");
-    EXPECT_EQ(printed("#debug str(version,0,1) #version 3.6; #debug str(version,0,1)"), "3.73.6");
+    options.version = 370;
+    EXPECT_EQ(printed("#debug str(version,0,1) #version 3.5; #debug str(version,0,1)", options), "3.73.5");
 }
 
 }  // namespace
