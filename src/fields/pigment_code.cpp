@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compile/patterns.h"
+#include "fields/pigment_code.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "compile/convert.h"
+#include "kernel/shared.h"
 
 namespace sundog {
 namespace {
@@ -119,22 +119,6 @@ std::uint32_t wave_of(const Pattern& pattern) {
             return kernel::WAVE_POLY;
     }
     return kernel::WAVE_RAMP;
-}
-
-bool lets_light_through(const PigmentColor& color) { return color.filter > 0 || color.transmit > 0; }
-
-/// True where the pigment's colours may let light through somewhere.
-bool lets_light_through(const Pigment& pigment, const std::vector<scene::Texture>& textures) {
-    if (pigment.kind == Pigment::Kind::solid) return lets_light_through(pigment.color);
-    if (pigment.kind == Pigment::Kind::image) {
-        const scene::ImageMap& image = pigment.image;
-        if (image.once || image.filter_all > 0 || image.transmit_all > 0) return true;
-        const auto& texels = textures.at(image.texture).rgba8;
-        return std::any_of(texels.begin(), texels.end(), [](std::uint32_t texel) { return texel >> 24U != 255U; });
-    }
-    return std::any_of(pigment.entries.begin(), pigment.entries.end(), [&](const scene::PigmentEntry& entry) {
-        return entry.pigment ? lets_light_through(*entry.pigment, textures) : lets_light_through(entry.color);
-    });
 }
 
 /// Writes one pigment's program.
@@ -276,121 +260,12 @@ private:
     std::vector<std::uint32_t>& code_;
 };
 
-kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t program) {
-    const scene::Finish& f = layer.finish;
-    kernel::Layer out{};
-    out.program = program;
-    out.flags =
-        (f.reflection_fresnel ? kernel::LAYER_FRESNEL : 0U) | (f.conserve_energy ? kernel::LAYER_CONSERVE_ENERGY : 0U);
-    out.uses_uv = layer.pigment->uv_mapping ? 1 : 0;
-    out.ambient = to_kernel(f.ambient);
-    out.emission = to_kernel(f.emission);
-    out.diffuse = f.diffuse, out.diffuse_back = f.diffuse_back;
-    out.brilliance = f.brilliance;
-    out.phong = f.phong, out.phong_size = f.phong_size;
-    out.specular = f.specular, out.specular_exponent = 1 / std::max(f.roughness, 1e-5F);
-    out.metallic = f.metallic;
-    out.reflection_min = to_kernel(f.reflection_min), out.reflection_max = to_kernel(f.reflection_max);
-    out.reflection_falloff = f.reflection_falloff;
-    out.reflection_metallic = f.reflection_metallic;
-    return out;
-}
-
-bool reflects(const scene::Finish& f) { return !(f.reflection_min == Vec3{} && f.reflection_max == Vec3{}); }
-
-kernel::Fog kernel_fog(const scene::Fog& fog) {
-    kernel::Fog out{};
-    out.ground = fog.ground ? 1 : 0;
-    out.distance = fog.distance;
-    out.color = {fog.color.r, fog.color.g, fog.color.b};
-    out.filter_share = fog.color.filter, out.transmit_share = fog.color.transmit;
-    out.altitude = fog.altitude, out.offset = fog.offset;
-    out.up = to_kernel(normalize(fog.up));
-    return out;
-}
-
 }  // namespace
 
-std::uint32_t PatternCompiler::program_of(const Pigment& pigment) {
-    const auto start = static_cast<std::uint32_t>(out_.code.size());
-    ProgramWriter writer(out_.code);
+void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code) {
+    ProgramWriter writer(code);
     writer.write(pigment, 0);
     writer.end();
-    return start;
-}
-
-const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material& material) {
-    const scene::LayeredTexture& texture = *material.patterned->texture;
-    const auto [found, is_new] = compiled_.try_emplace(&texture);
-    Layers& layers = found->second;
-    if (!is_new) return layers;
-    if (texture.layers.size() > kernel::MAX_LAYERS)
-        throw InputError({Severity::error, material.where,
-                          "a texture of " + std::to_string(texture.layers.size()) + " layers; at most " +
-                              std::to_string(kernel::MAX_LAYERS) + " can be drawn",
-                          "", "leave out the lowest"});
-    layers.first = static_cast<std::uint32_t>(out_.layers.size());
-    layers.count = static_cast<std::uint32_t>(texture.layers.size());
-    layers.transparent = true;  // as long as every layer over another lets light through
-    for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
-        out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment)));
-        layers.transparent = layers.transparent && lets_light_through(*layer->pigment, scene_.textures);
-        layers.reflective = layers.reflective || reflects(layer->finish);
-    }
-    return layers;
-}
-
-kernel::Material PatternCompiler::compile_surface(const scene::Material& material) {
-    const scene::PatternedSurface& surface = *material.patterned;
-    const Layers& layers = layers_of(material);
-    kernel::PatternedMaterial patterned{};
-    const Affine3d& m = surface.texture_from_world;
-    patterned.texture_from_world_x = to_kernel(to_float(m.x)),
-    patterned.texture_from_world_y = to_kernel(to_float(m.y));
-    patterned.texture_from_world_z = to_kernel(to_float(m.z)),
-    patterned.texture_from_world_t = to_kernel(to_float(m.t));
-    patterned.first_layer = layers.first, patterned.layer_count = layers.count;
-    patterned.ior = surface.interior.ior > 0 ? surface.interior.ior : 1;
-    patterned.fade_distance = surface.interior.fade_distance;
-    patterned.fade_power = surface.interior.fade_distance > 0 ? surface.interior.fade_power : 0;
-    patterned.fade_color = to_kernel(surface.interior.fade_color);
-
-    kernel::Material out{};
-    out.flags = kernel::MATERIAL_PATTERNED;
-    if (layers.transparent) out.flags |= kernel::MATERIAL_TRANSPARENT;
-    if (layers.reflective) out.reflectance = {1, 1, 1};  // Only told to material_features; the layers say how much.
-    if (layers.transparent) out.transmittance = {1, 1, 1};
-    out.ior = patterned.ior;
-    for (kernel::TextureRef* ref : {&out.diffuse_texture, &out.specular_texture, &out.emission_texture,
-                                    &out.opacity_texture, &out.bump_texture, &out.normal_texture})
-        ref->texture = kernel::NONE;
-    out.patterned = static_cast<std::uint32_t>(out_.patterned.size());
-    out_.patterned.push_back(patterned);
-    return out;
-}
-
-void PatternCompiler::compile_sky() {
-    for (const scene::Fog& fog : scene_.fogs) out_.fogs.push_back(kernel_fog(fog));
-    for (const scene::SkySphere& sky : scene_.sky_spheres) {
-        for (const auto& pigment : sky.pigments) {
-            kernel::SkyLayer layer{};
-            layer.program = program_of(*pigment);
-            layer.sky_from_world_x = to_kernel(to_float(sky.sky_from_world.x));
-            layer.sky_from_world_y = to_kernel(to_float(sky.sky_from_world.y));
-            layer.sky_from_world_z = to_kernel(to_float(sky.sky_from_world.z));
-            layer.emission = {sky.emission.r, sky.emission.g, sky.emission.b};
-            out_.sky_layers.push_back(layer);
-        }
-    }
-}
-
-std::uint32_t pattern_features(const RenderScene& scene, const kernel::Material& material) {
-    if ((material.flags & kernel::MATERIAL_PATTERNED) == 0) return 0;
-    const kernel::PatternedMaterial& patterned = scene.patterned[material.patterned];
-    std::uint32_t features = kernel::FEATURE_PATTERNED;
-    for (std::uint32_t i = 0; i < patterned.layer_count; ++i)
-        if (scene.layers[patterned.first_layer + i].uses_uv != 0) features |= kernel::FEATURE_TEXTURES;
-    return features;
 }
 
 }  // namespace sundog
