@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/function_evaluator.h"
+#include "import/pov/build_function.h"
 #include "import/pov/build_image.h"
 #include "import/pov/build_shape.h"
 #include "output/image.h"
@@ -35,19 +37,24 @@ scene::HeightField heights_of(const output::Image& image) {
 
 /// `function Width, Height { … }`: its values at the pixels' centers, x and y from 0 to 1, y upwards.
 NodeShape heights_of_function(ItemReader& items) {
+    BuildContext& context = items.context();
     constexpr int kMostPixels = 16384;
     const int width = items.integer("a width in pixels", 2, kMostPixels);
     const int height = items.integer("a height in pixels", 2, kMostPixels);
     const std::shared_ptr<const FunctionExpression> function = items.take_function();
     if (!function) items.unexpected("a function");
     auto heights = std::make_shared<std::vector<float>>();
-    std::uint64_t budget = items.context().options.limits.steps;
+    const auto flat = read_functions(context, std::array{function}, 3);
+    const fields::FunctionEvaluator evaluator(flat, context.scene.textures);
+    fields::NoiseCells cells;
+    fields::PointEvaluation evaluation(evaluator, cells);
+    std::uint64_t budget = context.options.limits.steps;
     for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {
             const std::array<double, 3> at{(column + 0.5) / width, 1 - (row + 0.5) / height, 0};
-            const std::size_t count = std::min<std::size_t>(3, std::max<std::size_t>(2, parameter_count(*function)));
-            const Value value = evaluate(*function, {at.data(), count}, nullptr, budget);
-            heights->push_back(static_cast<float>(std::clamp(value.v[0], 0.0, 1.0)));
+            if (!evaluation.run(at, budget)) items.fail("the limit of steps was hit in a function");
+            const double value = evaluation.output(0);
+            heights->push_back(static_cast<float>(value > 0 ? std::min(value, 1.0) : 0.0));
         }
     }
     return scene::HeightField{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), std::move(heights),

@@ -54,20 +54,4 @@ Bounds3d ObjectQueries::extent(const std::shared_ptr<const Block>& object) {
     return bounds;
 }
 
-std::array<double, 5> ObjectQueries::pigment_at(const std::shared_ptr<const Block>& pigment,
-                                                const std::array<double, 3>& point) {
-    static_cast<void>(point);
-    const scene::Pigment read = read_pigment(context_, *pigment, {});
-    if (read.kind != scene::Pigment::Kind::solid)
-        context_.fail(pigment->where, "a function of a patterned pigment",
-                      "functions of plain pigments are computed; those of patterns aren't yet");
-    const scene::PigmentColor& c = read.color;
-    return {c.r, c.g, c.b, c.filter, c.transmit};
-}
-
-double ObjectQueries::pattern_at(const std::shared_ptr<const Block>& pattern, const std::array<double, 3>& point) {
-    static_cast<void>(point);
-    context_.fail(pattern->where, "a function of a pattern", "functions of patterns aren't computed yet");
-}
-
 }  // namespace sundog::pov

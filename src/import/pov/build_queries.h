@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "import/pov/build_context.h"
+#include "import/pov/build_function.h"
 #include "import/pov/build_object.h"
 #include "import/pov/build_texture.h"
 #include "import/pov/build_writer.h"
@@ -23,9 +24,13 @@ public:
     bool trace(const std::shared_ptr<const Block>& object, Vec3d origin, Vec3d direction, Hit& hit) override;
     bool inside(const std::shared_ptr<const Block>& object, Vec3d point) override;
     Bounds3d extent(const std::shared_ptr<const Block>& object) override;
-    std::array<double, 5> pigment_at(const std::shared_ptr<const Block>& pigment,
-                                     const std::array<double, 3>& point) override;
-    double pattern_at(const std::shared_ptr<const Block>& pattern, const std::array<double, 3>& point) override;
+    std::shared_ptr<const scene::Pigment> pigment_of(const std::shared_ptr<const Block>& pigment) override {
+        return pigments_.pigment_of(pigment);
+    }
+    std::shared_ptr<const scene::Pigment> pigment_of_pattern(const std::shared_ptr<const Block>& pattern) override {
+        return pigments_.pigment_of_pattern(pattern);
+    }
+    [[nodiscard]] std::span<const scene::Texture> textures() const override { return pigments_.textures(); }
 
 private:
     /// Null for objects without any surface.
@@ -34,6 +39,7 @@ private:
     scene::Scene scratch_;  // Takes the materials, which nobody looks at.
     WarningSink no_warnings_;
     BuildContext context_;
+    BlockPigments pigments_{context_};
     TextureReader textures_{context_};
     ObjectReader objects_{context_, textures_};
     SceneWriter writer_{context_};

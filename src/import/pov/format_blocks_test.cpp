@@ -13,10 +13,15 @@ namespace fs = std::filesystem;
 /// Answers every question the same way, so that scenes that ask can be read to their ends.
 class FixedAnswers : public GeometryQueries {
 public:
-    std::array<double, 5> pigment_at(const std::shared_ptr<const Block>&, const std::array<double, 3>&) override {
-        return {0.25, 0.5, 0.75, 0, 0};
+    std::shared_ptr<const scene::Pigment> pigment_of(const std::shared_ptr<const Block>&) override {
+        auto pigment = std::make_shared<scene::Pigment>();
+        pigment->color = {0.25F, 0.5F, 0.75F, 0, 0};
+        return pigment;
     }
-    double pattern_at(const std::shared_ptr<const Block>&, const std::array<double, 3>&) override { return 0.5; }
+    std::shared_ptr<const scene::Pigment> pigment_of_pattern(const std::shared_ptr<const Block>& pattern) override {
+        return pigment_of(pattern);
+    }
+    [[nodiscard]] std::span<const scene::Texture> textures() const override { return {}; }
     bool trace(const std::shared_ptr<const Block>&, Vec3d origin, Vec3d direction, Hit& hit) override {
         hit = {origin + direction, {0, 1, 0}};
         return true;

@@ -2,6 +2,7 @@
 // User-defined functions of POV-Ray's language: `function (a, b) { … }`.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -10,6 +11,8 @@
 
 #include "import/pov/entity.h"
 #include "import/pov/spline.h"
+#include "scene/function.h"
+#include "scene/scene.h"
 
 namespace sundog::pov {
 
@@ -76,32 +79,50 @@ struct FunctionExpression {
     std::shared_ptr<const Spline> spline;
 };
 
-/// Evaluates what only a built scene can: the builder's part. All may throw InputError.
-class PatternQueries {
+/// Reads the pigments that functions are made of: the builder's part. All may throw InputError.
+class FunctionPigments {
 public:
-    virtual ~PatternQueries() = default;
-    /// A pigment's colour (red, green, blue, filter, transmit) at a point.
-    virtual std::array<double, 5> pigment_at(const std::shared_ptr<const Block>& pigment,
-                                             const std::array<double, 3>& point) = 0;
-    /// A pattern's value at a point; `pattern` is `pattern { gradient x … }`.
-    virtual double pattern_at(const std::shared_ptr<const Block>& pattern, const std::array<double, 3>& point) = 0;
+    virtual ~FunctionPigments() = default;
+    /// Of `pigment { … }`; one pigment for one block.
+    virtual std::shared_ptr<const scene::Pigment> pigment_of(const std::shared_ptr<const Block>& pigment) = 0;
+    /// One whose red is the value of `pattern { gradient x … }`.
+    virtual std::shared_ptr<const scene::Pigment> pigment_of_pattern(const std::shared_ptr<const Block>& pattern) = 0;
+    /// What the pigments' images are taken from.
+    [[nodiscard]] virtual std::span<const scene::Texture> textures() const = 0;
 };
 
 /// The most nested calls of user functions.
 inline constexpr std::uint32_t kFunctionDepthLimit = 256;
 
-/// Raised where a function has no value: division by zero, wrong number of arguments, no PatternQueries.
+/// Raised where a function has no value: division by zero, wrong number of arguments, no FunctionPigments.
 class FunctionError : public std::runtime_error {
 public:
     FunctionError(Place where, const std::string& message) : std::runtime_error(message), where(where) {}
     Place where;
 };
 
-/// The function's value: one component of an expression, internal function or pattern, else as many as the kind gives.
-/// `queries` may be null where no pigment or pattern is called. Errors: FunctionError, and InputError of `queries`.
-/// `budget` counts operations down (sums may be long) and makes an error at zero.
-Value evaluate(const FunctionExpression& function, std::span<const double> arguments, PatternQueries* queries,
+/// Calls functions with numbers. Functions are made ready at their first call and kept for the next.
+class FunctionCalls {
+public:
+    /// `pigments` may be null where no function of a pigment or pattern is called.
+    explicit FunctionCalls(FunctionPigments* pigments);
+    FunctionCalls(const FunctionCalls&) = delete;
+    FunctionCalls& operator=(const FunctionCalls&) = delete;
+    ~FunctionCalls();
+
+    /// The function's value: one component of an expression, internal function or pattern, else as many as the kind
+    /// gives. Errors: FunctionError, and InputError of `pigments`. `budget` counts operations down (sums may be long)
+    /// and makes an error at zero.
+    Value call(const std::shared_ptr<const FunctionExpression>& function, std::span<const double> arguments,
                std::uint64_t& budget);
+
+private:
+    struct Ready;
+    Ready& ready(const std::shared_ptr<const FunctionExpression>& function);
+
+    FunctionPigments* pigments_;
+    std::map<const FunctionExpression*, std::unique_ptr<Ready>> ready_;
+};
 
 /// What an operation gives for its arguments; of all but variables, calls, sums and products.
 double value_of(const FunctionNode& node, std::span<const double> arguments);

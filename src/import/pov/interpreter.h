@@ -44,7 +44,7 @@ private:
 
 /// Answers about objects, which the builder can give. Objects come by the same pointer while an identifier stands for
 /// the same object, so that what was built for one question can be kept for the next. All may throw InputError.
-class GeometryQueries : public PatternQueries {
+class GeometryQueries : public FunctionPigments {
 public:
     struct Hit {
         Vec3d point, normal;  ///< The unit normal points out.

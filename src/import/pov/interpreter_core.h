@@ -232,7 +232,7 @@ private:
     bool at_color_word();
     double parse_number();
     Value value_of_entity(const Entity& entity, NameId name, Spot where);
-    Value call_function(const FunctionExpression& function, Spot where);
+    Value call_function(std::shared_ptr<const FunctionExpression> function, Spot where);
     Value call_spline(const Spline& spline, Spot where);
     Value call_builtin(Keyword keyword, Spot where);
     Value call_aggregate(Keyword keyword, Spot where);
@@ -281,6 +281,7 @@ private:
     SourceFiles& sources_;
     BlockSink& sink_;
     GeometryQueries* queries_;
+    FunctionCalls function_calls_;
     const WarningSink& warn_;
     FileFinder finder_;
     std::filesystem::path scene_folder_;

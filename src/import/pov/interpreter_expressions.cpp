@@ -318,7 +318,7 @@ Value Interpreter::value_of_entity(const Entity& entity, NameId name, Spot where
         if (peek_operator().kind == TokenKind::left_bracket)
             return value_of_entity(element(*array, name, where), name, where);
     if (const auto* function = std::get_if<std::shared_ptr<const FunctionExpression>>(&entity))
-        if (peek_operator().kind == TokenKind::left_paren) return call_function(**function, where);
+        if (peek_operator().kind == TokenKind::left_paren) return call_function(*function, where);
     if (const auto* spline = std::get_if<std::shared_ptr<const Spline>>(&entity))
         if (peek_operator().kind == TokenKind::left_paren) return call_spline(**spline, where);
     fail(where, "expected a number, a vector or a colour, found " + in_quotes(names_.text(name)) + ", which is " +

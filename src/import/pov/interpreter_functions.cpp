@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cmath>
 
+#include "fields/noise.h"
 #include "import/pov/interpreter_core.h"
 #include "import/pov/math_functions.h"
-#include "import/pov/turbulence.h"
 
 namespace sundog::pov {
 
@@ -87,7 +87,7 @@ Value Interpreter::call_builtin(Keyword keyword, Spot where) {
                 const double omega = argument(false).v[0];
                 const double octaves = argument(false).v[0];
                 const Value point = three(argument(false));
-                const Vec3d offset = turbulence({point.v[0], point.v[1], point.v[2]}, a.v[0], omega, octaves);
+                const Vec3d offset = fields::turbulence({point.v[0], point.v[1], point.v[2]}, a.v[0], omega, octaves);
                 result = vector_value(offset.x, offset.y, offset.z);
             }
         }
@@ -155,7 +155,7 @@ Value Interpreter::call_of_names(Keyword keyword, Spot where) {
     return number_value(result);
 }
 
-Value Interpreter::call_function(const FunctionExpression& function, Spot where) {
+Value Interpreter::call_function(std::shared_ptr<const FunctionExpression> function, Spot where) {
     const GuardScope no_guard(guard_, {});
     const Level level(*this);
     take();
@@ -163,12 +163,12 @@ Value Interpreter::call_function(const FunctionExpression& function, Spot where)
     while (peek().kind != TokenKind::right_paren) {
         const Value value = argument(arguments.empty());
         // A single vector stands for its components where a point is wanted.
-        const bool spread = arguments.empty() && value.count > 1 && parameter_count(function) >= value.count;
+        const bool spread = arguments.empty() && value.count > 1 && parameter_count(*function) >= value.count;
         for (std::uint8_t i = 0; i < (spread ? value.count : 1); ++i) arguments.push_back(value.v[i]);
     }
     take();
     try {
-        return evaluate(function, arguments, queries_, steps_left_);
+        return function_calls_.call(function, arguments, steps_left_);
     } catch (const FunctionError& error) {
         if (steps_left_ == 0) out_of_steps();
         fail(where, error.what());

@@ -45,6 +45,7 @@ Interpreter::Interpreter(const PovOptions& options, std::filesystem::path scene_
       sources_(sources),
       sink_(sink),
       queries_(queries),
+      function_calls_(queries),
       warn_(warn),
       finder_(scene_folder, options),
       scene_folder_(std::move(scene_folder)),

@@ -85,6 +85,40 @@ void natural_second_derivatives(Spline& spline) {
     }
 }
 
+std::shared_ptr<const scene::FunctionSpline> pieces_of(const Spline& spline, SplineKind kind) {
+    auto out = std::make_shared<scene::FunctionSpline>();
+    const std::vector<Point>& p = spline.points;
+    const std::size_t last = p.size() - 1;
+    const bool is_inner = kind == SplineKind::cubic && p.size() > 2;
+    const std::size_t first_valid = is_inner ? 1 : 0, last_valid = is_inner ? last - 1 : last;
+    out->first = p[first_valid].parameter, out->last = p[last_valid].parameter;
+    for (std::size_t k = first_valid; k < last_valid; ++k) {
+        // Every kind is a cubic between two points: the one through four values there.
+        scene::FunctionSpline::Piece piece;
+        piece.start = p[k].parameter;
+        const double h = p[k + 1].parameter - p[k].parameter;
+        std::array<std::array<double, 5>, 4> at;
+        for (std::size_t j = 0; j < 3; ++j)
+            at[j] = evaluate(spline, p[k].parameter + h * static_cast<double>(j) / 3, kind).v;
+        at[3] = p[k + 1].at;
+        for (std::size_t i = 0; i < 5; ++i) {
+            const double a = at[0][i], b = at[1][i], c = at[2][i], d = at[3][i];
+            piece.coefficients[i] = {a, (-5.5 * a + 9 * b - 4.5 * c + d) / h,
+                                     (9 * a - 22.5 * b + 18 * c - 4.5 * d) / (h * h),
+                                     (-4.5 * a + 13.5 * b - 13.5 * c + 4.5 * d) / (h * h * h)};
+        }
+        out->pieces.push_back(piece);
+    }
+    if (out->pieces.empty()) {
+        scene::FunctionSpline::Piece piece;
+        piece.start = out->first;
+        for (std::size_t i = 0; i < 5; ++i) piece.coefficients[i] = {p[first_valid].at[i], 0, 0, 0};
+        out->pieces.push_back(piece);
+        out->last = out->first;
+    }
+    return out;
+}
+
 Value evaluate(const Spline& spline, double parameter, SplineKind kind) {
     const std::vector<Point>& p = spline.points;
     Value value;

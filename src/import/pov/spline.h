@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "import/pov/entity.h"
+#include "scene/function.h"
 
 namespace sundog::pov {
 
@@ -34,6 +35,9 @@ void insert_point(Spline& spline, double parameter, const Value& at);
 /// Computes Spline::Point::bend of all points: the natural cubic spline's second derivatives (zero at both ends), by
 /// the tridiagonal system (Press et al. 1992, section 3.3). To be called when all points are in.
 void natural_second_derivatives(Spline& spline);
+
+/// The spline of another kind, perhaps, as cubic pieces. It must have a point.
+std::shared_ptr<const scene::FunctionSpline> pieces_of(const Spline& spline, SplineKind kind);
 
 /// The spline at `parameter`; before the first and behind the last point it stays at them. A cubic spline
 /// takes the mean of the slopes on both sides of a point for its own (on even parameters, Catmull and Rom's of 1974);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Evaluates flat functions: their value, their derivatives, and bounds over boxes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fields/affine_math.h"
+#include "fields/gradient_math.h"
+#include "fields/run.h"
+#include "scene/function.h"
+#include "scene/scene.h"
+
+namespace sundog::fields {
+
+/// A function made ready. Immutable: any number of threads may use it, each with a Workspace of its own.
+class FunctionEvaluator {
+public:
+    /// `textures` are what images in the function's pigments are taken from; copied where they are needed.
+    explicit FunctionEvaluator(std::shared_ptr<const scene::Function> function,
+                               std::span<const scene::Texture> textures = {});
+
+    [[nodiscard]] const scene::Function& function() const { return *function_; }
+    [[nodiscard]] const PigmentSource* pigments() const { return pigments_.get(); }
+    /// Instructions that one evaluation may take (loops can be long).
+    static constexpr std::uint64_t kStepLimit = 1'000'000;
+
+private:
+    std::shared_ptr<const scene::Function> function_;
+    std::shared_ptr<const PigmentSource> pigments_;
+};
+
+/// Registers for one kind of number. Small functions need no heap.
+template <class Math>
+class Registers {
+public:
+    using Value = typename Math::Value;
+    explicit Registers(const scene::Function& f) : f_(f) {
+        if (f.register_count() > kFew) {
+            many_ = std::make_unique_for_overwrite<Value[]>(f.register_count());
+            data_ = many_.get();
+        }
+        for (std::size_t i = 0; i < f.constants.size(); ++i) data_[i] = Math::constant(f.constants[i]);
+    }
+    [[nodiscard]] Value* data() { return data_; }
+    void set_input(std::size_t i, const Value& v) { data_[f_.first_input() + i] = v; }
+    [[nodiscard]] const Value& output(std::size_t i) const { return data_[f_.outputs[i]]; }
+
+private:
+    static constexpr std::size_t kFew = 96;
+    union Few {
+        Few() {}  // NOLINT(modernize-use-equals-default): the registers aren't to be filled
+        std::array<Value, kFew> values;
+    };
+    const scene::Function& f_;
+    Few few_;
+    std::unique_ptr<Value[]> many_;
+    Value* data_ = few_.values.data();
+};
+
+/// Values of a function of doubles, point by point.
+class PointEvaluation {
+public:
+    explicit PointEvaluation(const FunctionEvaluator& f, NoiseCells& cells)
+        : f_(f.function()), math_{f.pigments(), &cells}, registers_(f_) {}
+    /// Runs the function; output() tells what came out. False where it takes too long.
+    bool run(std::span<const double> inputs, std::uint64_t& budget) {
+        for (std::size_t i = 0; i < f_.input_count; ++i) registers_.set_input(i, inputs[i]);
+        fields::run(math_, f_, registers_.data(), budget);
+        return budget > 0;
+    }
+    /// The first output; no number where it takes more than the step limit.
+    double value(std::span<const double> inputs) {
+        std::uint64_t budget = FunctionEvaluator::kStepLimit;
+        return run(inputs, budget) ? output(0) : DoubleMath::unknown();
+    }
+    [[nodiscard]] double output(std::size_t i) const { return registers_.output(i); }
+
+private:
+    const scene::Function& f_;
+    DoubleMath math_;
+    Registers<DoubleMath> registers_;
+};
+
+/// Values and derivatives by the function's first N inputs.
+template <std::size_t N>
+class GradientEvaluation {
+public:
+    explicit GradientEvaluation(const FunctionEvaluator& f, NoiseCells& cells)
+        : f_(f.function()), math_{f.pigments(), &cells}, registers_(f_) {}
+    void run(std::span<const double> inputs) {
+        for (std::size_t i = 0; i < f_.input_count; ++i) {
+            Derived<N> v{inputs[i], {}};
+            if (i < N) v.by[i] = 1;
+            registers_.set_input(i, v);
+        }
+        std::uint64_t budget = FunctionEvaluator::kStepLimit;
+        fields::run(math_, f_, registers_.data(), budget);
+    }
+    [[nodiscard]] const Derived<N>& output(std::size_t i) const { return registers_.output(i); }
+
+private:
+    const scene::Function& f_;
+    GradientMath<N> math_;
+    Registers<GradientMath<N>> registers_;
+};
+
+/// Bounds over ranges of N variables that the inputs depend on.
+template <std::size_t N>
+class RangeEvaluation {
+public:
+    explicit RangeEvaluation(const FunctionEvaluator& f, NoiseCells& cells)
+        : f_(f.function()), math_{f.pigments(), &cells, &undefined_}, registers_(f_) {}
+    RangeEvaluation(const RangeEvaluation&) = delete;
+    RangeEvaluation& operator=(const RangeEvaluation&) = delete;
+    ~RangeEvaluation() = default;
+    void set_input(std::size_t i, const Affine<N>& v) { registers_.set_input(i, v); }
+    /// Runs the function; what came out encloses all values that are numbers.
+    void run() {
+        undefined_ = false;
+        std::uint64_t budget = FunctionEvaluator::kStepLimit;
+        fields::run(math_, f_, registers_.data(), budget);
+        too_long_ = budget == 0;
+    }
+    [[nodiscard]] Affine<N> output(std::size_t i) const {
+        return too_long_ ? AffineMath<N>::unknown() : registers_.output(i);
+    }
+    /// Whether the function may have no value somewhere (the square root of -1).
+    [[nodiscard]] bool may_be_undefined() const { return undefined_ || too_long_; }
+
+private:
+    const scene::Function& f_;
+    bool undefined_ = false, too_long_ = false;
+    AffineMath<N> math_;
+    Registers<AffineMath<N>> registers_;
+};
+
+}  // namespace sundog::fields
