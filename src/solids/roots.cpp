@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace sundog::solids {
 namespace {
 
 using Coefficients = std::array<double, kMaxDegree + 1>;
-
-/// Deepest subdivision: what is left is 2^-44 of the interval, where rounding decides.
-constexpr int kMaxDepth = 44;
 
 int sign_changes(std::span<const double> c) {
     int changes = 0;
@@ -27,65 +25,57 @@ int sign_changes(std::span<const double> c) {
     return changes;
 }
 
-double evaluate_bernstein(std::span<const double> c, double s) {
-    if (c.size() <= 7) {  // de Casteljau's scheme, which needs no division
-        std::array<double, 7> b;
-        std::copy(c.begin(), c.end(), b.begin());
-        for (std::size_t n = c.size() - 1; n > 0; --n)
-            for (std::size_t i = 0; i < n; ++i) b[i] += s * (b[i + 1] - b[i]);
-        return b[0];
-    }
-    // Horner's scheme in s/(1-s) or its inverse, whichever is at most 1.
-    const std::size_t n = c.size() - 1;
-    const bool low = s <= 0.5;
-    const double larger = low ? 1 - s : s;
-    const double x = (1 - larger) / larger;
-    double weight = 1;
-    double scale = 1;
-    double sum = 0;
-    for (std::size_t i = 0; i <= n; ++i) {
-        sum += weight * (low ? c[i] : c[n - i]);
-        weight *= x * static_cast<double>(n - i) / static_cast<double>(i + 1);
-        if (i > 0) scale *= larger;
-    }
-    return sum * scale;
+/// Value and derivative at s of a polynomial of degree N with Bernstein coefficients c: de Casteljau's scheme, whose
+/// last but one row has both.
+struct ValueAndSlope {
+    double value, slope;
+};
+template <std::size_t N>
+ValueAndSlope sample(const double* c, double s) {
+    std::array<double, N + 1> b;
+    std::copy_n(c, N + 1, b.begin());
+    for (std::size_t n = N; n > 1; --n)
+        for (std::size_t i = 0; i < n; ++i) b[i] += s * (b[i + 1] - b[i]);
+    const double rise = b[1] - b[0];
+    return {b[0] + s * rise, static_cast<double>(N) * rise};
 }
 
-/// The only root between 0 and 1 of a polynomial whose ends differ in sign: inverse quadratic steps where they can be
-/// trusted, else bisection (Chandrupatla: A new hybrid quadratic/bisection algorithm for finding the zero of a
-/// nonlinear function without using derivatives, Advances in Engineering Software 28, 1997).
-double single_root(std::span<const double> c) {
-    double newest = 1;
-    double opposite = 0;
-    double f_newest = c.back();
-    double f_opposite = c.front();
-    double step = 0.5;
+/// The only root between `lower` and `upper`, near s: Newton's steps, and halving where those would leave the interval.
+/// Values up to `noise` are rounding; steps up to `tolerance` don't matter.
+template <std::size_t N>
+double root_between(const double* c, double lower, double upper, bool rises, double s, double noise, double tolerance) {
+    double last_step = 0;  // of Newton's; 0 where the last step was none
     for (int i = 0; i < 200; ++i) {
-        const double s = newest + step * (opposite - newest);
-        const double f = evaluate_bernstein(c, s);
-        double before = newest;
-        double f_before = f_newest;
-        if ((f < 0) != (f_newest < 0)) {
-            before = opposite, f_before = f_opposite;
-            opposite = newest, f_opposite = f_newest;
-        }
-        newest = s, f_newest = f;
-        const bool newest_is_best = std::abs(f_newest) < std::abs(f_opposite);
-        const double best = newest_is_best ? newest : opposite;
-        const double tolerance = 4e-16 * best + 1e-18;
-        const double share = tolerance / std::abs(opposite - newest);
-        if (f == 0) return s;
-        if (!(share < 0.5)) return best;
-        const double xi = (newest - opposite) / (before - opposite);
-        const double phi = (f_newest - f_opposite) / (f_before - f_opposite);
-        step = 0.5;
-        if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
-            step = f_newest / (f_opposite - f_newest) * f_before / (f_opposite - f_before) +
-                   (before - newest) / (opposite - newest) * f_newest / (f_before - f_newest) * f_opposite /
-                       (f_before - f_opposite);
-        step = std::clamp(step, share, 1 - share);
+        const ValueAndSlope at = sample<N>(c, s);
+        ((at.value < 0) == rises ? lower : upper) = s;
+        double next = s - at.value / at.slope;
+        const bool newton = next > lower && next < upper;
+        if (std::abs(at.value) <= noise) return newton ? next : s;
+        if (!newton) next = 0.5 * (lower + upper);
+        const double step = std::abs(next - s);
+        const double small = tolerance * next + 1e-18;
+        // Newton's steps go as the squares of those before: where the next one would be too small, this is the last.
+        if (step <= small || (newton && step < 0.1 * last_step && step * step * step < small * last_step * last_step))
+            return next;
+        s = next;
+        last_step = newton ? step : 0;
     }
-    return newest;
+    return s;
+}
+
+/// A place in an interval's end, with the polynomial's value there.
+struct End {
+    double s, value;
+    bool turning;  ///< The derivative is 0 there.
+};
+
+/// Where a root between two ends is to be expected: by a parabola with its vertex at a turning point, else a line.
+double guess_between(const End& a, const End& b) {
+    const double share = a.value / (a.value - b.value);
+    if (a.turning && b.turning) return a.s + (b.s - a.s) * (0.15 + 0.7 * share);
+    const double part = a.turning ? std::sqrt(share) : b.turning ? 1 - std::sqrt(1 - share) : share;
+    const double guess = a.s + (b.s - a.s) * part;
+    return guess > a.s && guess < b.s ? guess : 0.5 * (a.s + b.s);
 }
 
 /// Sign of the first coefficient that is not 0: the polynomial's just after the interval's beginning.
@@ -100,53 +90,146 @@ int last_sign(std::span<const double> c) {
     return 0;
 }
 
-/// De Casteljau at the middle: c becomes the left half's coefficients, right gets the right half's.
-void split(std::span<double> c, std::span<double> right) {
-    const std::size_t n = c.size();
-    for (std::size_t level = 0; level < n; ++level) {
-        right[n - 1 - level] = c[n - 1];
-        for (std::size_t i = n - 1; i > level; --i) c[i] = 0.5 * (c[i] + c[i - 1]);
+/// What a value is uncertain by.
+double noise_of(std::span<const double> c) {
+    double most = 0;
+    for (const double v : c) most = std::max(most, std::abs(v));
+    return 1e-16 * most;
+}
+
+/// Deepest halving: what is left is 2^-44 of the interval, where rounding decides.
+constexpr int kMaxDepth = 44;
+
+/// How well turning points need to be known: what a polynomial differs by there goes as the square of that.
+constexpr double kTurnTolerance = 1e-9;
+
+/// Writes the roots at which the sign changes, ascending, to `roots`, and returns their number. Between the roots of
+/// the derivative, found in the same way, a polynomial is monotone and has one root or none (Yuksel: High-Performance
+/// Polynomial Root Finding for Graphics, HPG 2022); Descartes' rule of signs spares most of the work.
+template <std::size_t N>
+std::size_t find_roots(const double* c, double* roots, double tolerance) {
+    const int changes = sign_changes({c, N + 1});
+    if (changes == 0) return 0;
+    if constexpr (N == 1) {
+        if (c[0] == 0 || c[1] == 0) return 0;
+        roots[0] = c[0] / (c[0] - c[1]);
+        return 1;
+    } else {
+        const double noise = noise_of({c, N + 1});
+        if (changes == 1 && c[0] != 0 && c[N] != 0) {
+            const double guess = guess_between({0, c[0], false}, {1, c[N], false});
+            roots[0] = root_between<N>(c, 0, 1, c[0] < 0, guess, noise, tolerance);
+            return 1;
+        }
+        if (N == 2 && changes == 2) {
+            // Both ends on one side, the middle coefficient on the other.
+            const double discriminant = c[1] * c[1] - c[0] * c[2];
+            if (!(discriminant > 0)) return 0;
+            const double q = c[0] - c[1] + std::copysign(std::sqrt(discriminant), c[0]);
+            roots[0] = c[0] / q;
+            roots[1] = q / (c[0] - 2 * c[1] + c[2]);
+            return 2;
+        }
+        std::array<double, N> derivative;
+        for (std::size_t i = 0; i < N; ++i) derivative[i] = c[i + 1] - c[i];
+        std::array<double, N> turns;
+        const std::size_t turn_count = find_roots<N - 1>(derivative.data(), turns.data(), kTurnTolerance);
+        std::size_t found = 0;
+        End from{0, c[0], false};
+        bool negative = first_sign({c, N + 1}) < 0;
+        for (std::size_t i = 0; i <= turn_count; ++i) {
+            const bool last = i == turn_count;
+            const End to = last ? End{1, c[N], false} : End{turns[i], sample<N>(c, turns[i]).value, true};
+            // At a turning point of value 0 the polynomial touches zero, and doesn't cross it.
+            const bool differs =
+                last ? (last_sign({c, N + 1}) < 0) != negative : to.value != 0 && (to.value < 0) != negative;
+            if (differs) {
+                roots[found++] = root_between<N>(c, from.s, to.s, negative, guess_between(from, to), noise, tolerance);
+                negative = !negative;
+            }
+            from = to;
+        }
+        return found;
     }
 }
 
-void append_in(std::span<double> c, double lower, double width, int depth, RootList& roots) {
-    const int changes = sign_changes(c);
+/// De Casteljau at the middle: c becomes the left half's coefficients, right gets the right half's.
+template <std::size_t N>
+void split(double* c, double* right) {
+    for (std::size_t level = 0; level <= N; ++level) {
+        right[N - level] = c[N];
+        for (std::size_t i = N; i > level; --i) c[i] = 0.5 * (c[i] + c[i - 1]);
+    }
+}
+
+/// For degrees from which on all derivatives would take longer: control polygons are halved until their sign changes
+/// once (Lane, Riesenfeld: Bounds on a Polynomial, BIT 21, 1981).
+template <std::size_t N>
+void append_halved(double* c, double lower, double width, int depth, RootList& roots) {
+    const int changes = sign_changes({c, N + 1});
     if (changes == 0) return;
-    if (changes == 1 && c.front() != 0 && c.back() != 0) {
-        roots.push_back(lower + width * single_root(c));
+    if (changes == 1 && c[0] != 0 && c[N] != 0) {
+        const double guess = guess_between({0, c[0], false}, {1, c[N], false});
+        roots.push_back(lower + width * root_between<N>(c, 0, 1, c[0] < 0, guess, noise_of({c, N + 1}), 4e-16));
         return;
     }
     if (depth == kMaxDepth) {
         if (changes % 2 == 1) roots.push_back(lower + 0.5 * width);
         return;
     }
-    Coefficients right_half{};
-    const std::span<double> right(right_half.data(), c.size());
-    split(c, right);
+    std::array<double, N + 1> right;
+    split<N>(c, right.data());
     // A root at the very middle belongs to neither half's inside: the change of sign across it tells.
-    const bool at_middle = right.front() == 0 && last_sign(c) * first_sign(right) < 0;
-    append_in(c, lower, 0.5 * width, depth + 1, roots);
+    const bool at_middle = right[0] == 0 && last_sign({c, N + 1}) * first_sign(right) < 0;
+    append_halved<N>(c, lower, 0.5 * width, depth + 1, roots);
     if (at_middle) roots.push_back(lower + 0.5 * width);
-    append_in(right, lower + 0.5 * width, 0.5 * width, depth + 1, roots);
+    append_halved<N>(right.data(), lower + 0.5 * width, 0.5 * width, depth + 1, roots);
 }
+
+template <std::size_t N>
+void append_of_degree(const double* c, RootList& roots) {
+    if constexpr (N <= 4) {
+        std::array<double, N> found;
+        const std::size_t count = find_roots<N>(c, found.data(), 4e-16);
+        for (std::size_t i = 0; i < count; ++i) roots.push_back(found[i]);
+    } else {
+        std::array<double, N + 1> copy;
+        std::copy_n(c, N + 1, copy.begin());
+        append_halved<N>(copy.data(), 0, 1, 0, roots);
+    }
+}
+
+using RootFinder = void (*)(const double*, RootList&);
+/// append_of_degree<N> at place N - 1.
+constexpr auto kRootFinders = []<std::size_t... N>(std::index_sequence<N...>) {
+    return std::array<RootFinder, sizeof...(N)>{append_of_degree<N + 1>...};
+}
+(std::make_index_sequence<kMaxDegree>{});
+
+/// Reciprocals of the binomial coefficients.
+constexpr auto kInverseBinomials = [] {
+    std::array<std::array<double, kMaxDegree + 1>, kMaxDegree + 1> table{};
+    for (std::size_t n = 0; n <= kMaxDegree; ++n) {
+        double binomial = 1;
+        for (std::size_t k = 0; k <= n; ++k) {
+            table[n][k] = 1 / binomial;
+            binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
+        }
+    }
+    return table;
+}();
 
 }  // namespace
 
 void append_bernstein_roots(std::span<const double> coefficients, RootList& roots) {
-    if (coefficients.empty() || coefficients.size() > kMaxDegree + 1 || sign_changes(coefficients) == 0) return;
-    Coefficients copy;
-    std::copy(coefficients.begin(), coefficients.end(), copy.begin());
-    append_in({copy.data(), coefficients.size()}, 0, 1, 0, roots);
+    if (coefficients.size() < 2 || coefficients.size() > kMaxDegree + 1) return;
+    kRootFinders[coefficients.size() - 2](coefficients.data(), roots);
 }
 
 void bernstein_from_power(std::span<double> c) {
     // b_i = sum over k <= i of C(i,k)/C(n,k) * a_k: divide by C(n,k), then Pascal's triangle of sums.
     const std::size_t n = c.size() - 1;
-    double binomial = 1;
-    for (std::size_t k = 0; k <= n; ++k) {
-        c[k] /= binomial;
-        binomial = binomial * static_cast<double>(n - k) / static_cast<double>(k + 1);
-    }
+    for (std::size_t k = 0; k <= n; ++k) c[k] *= kInverseBinomials[n][k];
     for (std::size_t level = 1; level <= n; ++level)
         for (std::size_t i = n; i >= level; --i) c[i] += c[i - 1];
 }
@@ -171,34 +254,40 @@ void append_roots(std::span<const double> coefficients, double lower, double upp
     Coefficients copy;
     const std::span<double> c(copy.data(), size);
     std::copy_n(coefficients.begin(), size, copy.begin());
-    if (std::isfinite(upper)) {
-        change_interval(c, lower, upper);
+    if (lower != 0) change_interval(c, lower, lower + 1);
+    const std::size_t n = size - 1;
+    // About the roots' geometric mean.
+    const int exponent = c[0] != 0 ? (std::ilogb(c[0]) - std::ilogb(c[n])) / static_cast<int>(n) : 0;
+    const double scale = std::ldexp(1.0, std::clamp(exponent, -40, 40));
+    const double width = upper - lower;
+    if (width < 1e4 * scale) {
+        change_interval(c, 0, width);
         bernstein_from_power(c);
         RootList found;
         append_bernstein_roots(c, found);
-        for (const double s : found) roots.push_back(lower + s * (upper - lower));
+        for (const double s : found) roots.push_back(lower + s * width);
         return;
     }
-    // [lower, lower + w] as above; beyond it in 1/t, with w so that the coefficients balance.
-    change_interval(c, lower, lower + 1);
-    double w = 1;
-    for (std::size_t i = 1; i < size; ++i)
-        if (c[0] != 0 && c[i] != 0) w = std::max(w, std::pow(std::abs(c[0] / c[i]), 1.0 / static_cast<double>(i)));
-    w = std::min(w, 1e12);
-    change_interval(c, 0, w);
-    Coefficients reversed;
-    std::reverse_copy(c.begin(), c.end(), reversed.begin());
-    bernstein_from_power(c);
+    // t = lower + scale*s/(1 - s) carries all that is ahead to s in (0, 1), and the power coefficients are Bernstein's
+    // but for binomials.
+    std::array<double, kMaxDegree + 1> bernstein;
+    double power = 1;
+    for (std::size_t i = 0; i <= n; ++i) {
+        bernstein[i] = c[i] * power * kInverseBinomials[n][i];
+        power *= scale;
+    }
     RootList found;
-    append_bernstein_roots(c, found);
-    for (const double s : found) roots.push_back(lower + s * w);
-    found.clear();
-    const std::span<double> beyond(reversed.data(), size);
-    bernstein_from_power(beyond);
-    if (c.back() == 0 && last_sign(c) * last_sign(beyond) < 0) roots.push_back(lower + w);
-    append_bernstein_roots(beyond, found);
-    for (std::size_t i = found.size(); i-- > 0;)
-        if (found[i] > 0) roots.push_back(lower + w / found[i]);
+    append_bernstein_roots({bernstein.data(), size}, found);
+    for (const double s : found) {
+        double t = scale * s / (1 - s);
+        // Far out 1 - s has lost digits; one of Newton's steps on the coefficients as they were brings them back.
+        double value = 0;
+        double slope = 0;
+        for (std::size_t i = size; i-- > 0;) slope = slope * t + value, value = value * t + c[i];
+        const double step = value / slope;
+        if (std::abs(step) < 1e-6 * t) t -= step;
+        if (t < width) roots.push_back(lower + t);
+    }
 }
 
 }  // namespace sundog::solids

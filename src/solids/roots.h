@@ -15,8 +15,7 @@ using RootList = SmallVector<double, 12>;
 
 /// Appends the roots in (0, 1) at which a polynomial in Bernstein form changes its sign, ascending. An even multiple
 /// root touches zero without a change and is not one; how near two roots may be and still count depends on rounding
-/// alone (about 1e-13 of the interval). By Descartes' rule of signs on subdivided control polygons (Lane, Riesenfeld:
-/// Bounds on a Polynomial, BIT 21, 1981).
+/// alone. Their number is odd where the ends' signs differ, whatever rounding does.
 void append_bernstein_roots(std::span<const double> coefficients, RootList& roots);
 
 /// Bernstein coefficients on [0, 1] of the polynomial sum of coefficients[i]*s^i, in place.
