@@ -22,6 +22,37 @@ void powers_of(double origin, double direction, std::size_t order, Powers& out) 
     }
 }
 
+/// p = p*(origin + direction*t) + what is added, where `degree` is p's before.
+template <std::size_t Size>
+void times_linear(std::array<double, Size>& p, std::size_t degree, double origin, double direction) {
+    p[degree + 1] = p[degree] * direction;
+    for (std::size_t i = degree; i > 0; --i) p[i] = p[i] * origin + p[i - 1] * direction;
+    p[0] *= origin;
+}
+
+/// Coefficients along a ray of a polynomial of which all coefficients are given, those of the highest powers of x
+/// first, among them those of y, among them those of z: Horner's scheme in three variables.
+template <std::size_t N>
+void expand_all(const double* coefficients, const Ray& ray, double* out) {
+    std::array<double, N + 1> sum{};
+    for (std::size_t x = 0; x <= N; ++x) {
+        if (x > 0) times_linear(sum, x - 1, ray.origin.x, ray.direction.x);
+        std::array<double, N + 1> in_y{};
+        for (std::size_t y = 0; y <= x; ++y) {
+            if (y > 0) times_linear(in_y, y - 1, ray.origin.y, ray.direction.y);
+            std::array<double, N + 1> in_z{};
+            in_z[0] = *coefficients++;
+            for (std::size_t z = 1; z <= y; ++z) {
+                times_linear(in_z, z - 1, ray.origin.z, ray.direction.z);
+                in_z[0] += *coefficients++;
+            }
+            for (std::size_t i = 0; i <= y; ++i) in_y[i] += in_z[i];
+        }
+        for (std::size_t i = 0; i <= x; ++i) sum[i] += in_y[i];
+    }
+    std::copy(sum.begin(), sum.end(), out);
+}
+
 double power(double x, unsigned n) {
     double result = 1;
     for (; n > 0; n >>= 1U) {
@@ -37,6 +68,17 @@ public:
         std::sort(terms_.begin(), terms_.end(),
                   [](const Term& a, const Term& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
         for (const Term& t : terms_) order_ = std::max<std::size_t>(order_, std::size_t{t.x} + t.y + t.z);
+        if (order_ != 3 && order_ != 4) return;
+        for (std::size_t x = 0; x <= order_; ++x) {
+            for (std::size_t y = 0; y <= x; ++y) {
+                for (std::size_t z = 0; z <= y; ++z) {
+                    double sum = 0;
+                    for (const Term& t : terms_)
+                        if (t.x == order_ - x && t.y == x - y && t.z == y - z) sum += t.coefficient;
+                    all_.push_back(sum);
+                }
+            }
+        }
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
@@ -94,6 +136,8 @@ private:
     /// Coefficients of the polynomial along a ray.
     void expand(const Ray& ray, std::span<double> out) const {
         if (order_ <= 2) return expand_quadric(ray, out);
+        if (order_ == 3) return expand_all<3>(all_.data(), ray, out.data());
+        if (order_ == 4) return expand_all<4>(all_.data(), ray, out.data());
         Powers x;
         Powers y;
         Powers z;
@@ -180,6 +224,7 @@ private:
 
     std::vector<Term> terms_;
     std::size_t order_ = 1;
+    std::vector<double> all_;  ///< Of order 3 or 4: as expand_all takes them.
 };
 
 }  // namespace
