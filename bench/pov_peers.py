@@ -13,7 +13,6 @@ import argparse
 import math
 import os
 import pathlib
-import random
 import sys
 import tempfile
 import time
@@ -38,15 +37,14 @@ CHEESE = """#declare Holes = %d; #declare Seed = seed(7);
   #declare I = 0; #while (I < Holes)
     sphere { <rand(Seed)*2 - 1, rand(Seed)*2 - 1, rand(Seed)*2 - 1>*1.02 0.9*pow(Holes, -0.45) } #declare I = I + 1; #end }
 """
-POTATO = "0, 0.15, 0.55, 0.3, 0.9, 0.75, 0.8, 0.45, 0.5, 0.1".split(", ")
 
 SHAPES = {
     "sphere": "#declare Shape = sphere { 0, 1 scale <1, 0.6, 0.8> }" + GRID,
     "box": "#declare Shape = box { <-0.8, -0.5, -0.6>, <0.8, 0.5, 0.6> }" + GRID,
     "cone": "#declare Shape = union { cone { -y, 0.9, y*0.2, 0.3 } cylinder { 0, x, 0.2 } }" + GRID,
     "torus": "#declare Shape = torus { 0.75, 0.3 }" + GRID,
-    "quartic": "#declare Shape = quartic { <1, 0,0,0, 2, 0,0, 2, 0, -1.045, 0,0,0,0,0,0,0,0,0,0, 1, 0,0, 2, 0,"
-               " 1.045, 0,0,0,0, 1, 0, -1.045, 0, 0.2730> sturm scale 1.1 }" + GRID,
+    "quartic": "#declare Shape = quartic { <1, 0,0,0, 2, 0,0, 2, 0, -1.16, 0,0,0,0,0,0,0,0,0,0, 1, 0,0, 2, 0,"
+               " 0.8, 0,0,0,0, 1, 0, -1.16, 0, 0.16> sturm }" + GRID,
     "cubic": "#declare Shape = intersection { cubic { <1,0,0,0, 0,0,0,0,0,0, 0,0,0,-1,0, 0,-1,0,0,0> }"
              " sphere { 0, 1 } }" + GRID,
     "blob": "#declare Shape = blob { threshold 0.5 #declare S = seed(3); #declare I = 0; #while (I < 8)"
@@ -56,8 +54,8 @@ SHAPES = {
              " <0.4, 0.9>, <0.1, 1> }" + GRID,
     "sor": "#declare Shape = sor { 7, <0.1, -1.2>, <0.5, -0.9>, <0.9, -0.5>, <0.3, 0>, <0.6, 0.5>, <0.4, 0.9>,"
            " <0.1, 1.2> }" + GRID,
-    "prism": "#declare Shape = prism { cubic_spline -0.5, 0.5, 9, <0.9, 0>, <0.6, 0.6>, <0, 0.9>, <-0.3, 0.3>, <-0.9, 0>,"
-             " <-0.5, -0.7>, <0.2, -0.4>, <0.9, 0>, <0.6, 0.6> }" + GRID,
+    "prism": "#declare Shape = prism { cubic_spline -0.5, 0.5, 9, <-0.5, -0.7>, <0.9, 0>, <0.6, 0.6>, <0, 0.9>, <-0.3, 0.3>,"
+             " <-0.9, 0>, <-0.5, -0.7>, <0.9, 0>, <0.6, 0.6> }" + GRID,
     "sphere_sweep": "#declare Shape = sphere_sweep { b_spline 7, <-1, -1, 0>, 0.3, <-0.8, 0.9, 0>, 0.3, <-0.2, -0.8, 0.5>,"
                     " 0.25, <0.2, 0.8, -0.3>, 0.3, <0.8, -0.7, 0.1>, 0.3, <0.9, 0.8, 0>, 0.2, <1.4, 0.9, 0>, 0.2 }" + GRID,
     "superellipsoid": "#declare Shape = superellipsoid { <0.4, 0.25> scale 0.8 }" + GRID,

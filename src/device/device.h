@@ -21,6 +21,8 @@ struct RenderWork {
     PixelRect region;
     std::uint32_t first_sample = 0;
     std::uint32_t sample_count = 1;
+    /// Of render_regions(): one for each of the film's pixels, 0 where a pixel keeps what it has; empty: all change.
+    std::span<const std::uint8_t> wanted{};
 };
 
 /// What a render() did.

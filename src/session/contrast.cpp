@@ -56,7 +56,7 @@ float compared(float linear, float power) { return std::pow(std::clamp(linear, 0
 
 }  // namespace
 
-std::vector<PixelRect> contrasting_regions(const Film& film, const AdaptiveSampling& sampling) {
+Contrast contrast_of(const Film& film, const AdaptiveSampling& sampling) {
     const PixelRect& bounds = film.bounds;
     const auto power = static_cast<float>(sampling.gamma > 0 ? 1 / sampling.gamma : 1);
     const auto color = [&](int x, int y) {
@@ -67,6 +67,11 @@ std::vector<PixelRect> contrasting_regions(const Film& film, const AdaptiveSampl
         return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z) >= sampling.threshold;
     };
     Cells cells(bounds);
+    Contrast contrast{std::vector<std::uint8_t>(film.radiance.size()), {}};
+    const auto mark = [&](int x, int y) {
+        cells.mark_pixel(x, y);
+        contrast.pixels[film.index(x, y)] = 1;
+    };
     std::vector<Vec3> above(static_cast<std::size_t>(bounds.width()));
     for (int y = bounds.y0; y < bounds.y1; ++y) {
         Vec3 left;
@@ -74,17 +79,18 @@ std::vector<PixelRect> contrasting_regions(const Film& film, const AdaptiveSampl
             const Vec3 here = color(x, y);
             Vec3& upper = above[static_cast<std::size_t>(x - bounds.x0)];
             if (x > bounds.x0 && differ(here, left)) {
-                cells.mark_pixel(x, y);
-                cells.mark_pixel(x - 1, y);
+                mark(x, y);
+                mark(x - 1, y);
             }
             if (y > bounds.y0 && differ(here, upper)) {
-                cells.mark_pixel(x, y);
-                cells.mark_pixel(x, y - 1);
+                mark(x, y);
+                mark(x, y - 1);
             }
             left = upper = here;
         }
     }
-    return cells.rectangles();
+    contrast.regions = cells.rectangles();
+    return contrast;
 }
 
 }  // namespace sundog

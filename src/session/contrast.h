@@ -2,6 +2,7 @@
 // Where a picture needs more samples.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "device/film.h"
@@ -15,8 +16,12 @@ struct AdaptiveSampling {
     std::uint32_t samples = 9;  ///< That pixels get which differ from a neighbour; others have one.
 };
 
-/// Rectangles, whose sides lie on multiples of 8 pixels or on the film's bounds, that don't overlap and hold each pixel
-/// that differs from the one to its left or above it, and that one.
-std::vector<PixelRect> contrasting_regions(const Film& film, const AdaptiveSampling& sampling);
+/// Pixels that differ from the one to their left or above them, and those.
+struct Contrast {
+    std::vector<std::uint8_t> pixels;  ///< One for each of the film's: 1 or 0.
+    /// Rectangles that hold them, don't overlap, and whose sides lie on multiples of 8 pixels or on the film's bounds.
+    std::vector<PixelRect> regions;
+};
+Contrast contrast_of(const Film& film, const AdaptiveSampling& sampling);
 
 }  // namespace sundog

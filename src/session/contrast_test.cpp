@@ -27,7 +27,7 @@ TEST(Contrast, EdgesAreCoveredOnce) {
     const PixelRect bounds{3, 5, 103, 77};
     const auto is_right = [](int x, int y) { return x + y / 2 >= 60; };
     const Film film = film_of(bounds, [&](int x, int y) { return is_right(x, y) ? 0.9F : 0.1F; });
-    const auto regions = contrasting_regions(film, {});
+    const auto [pixels, regions] = contrast_of(film, {});
     int covered = 0;
     for (int y = bounds.y0; y < bounds.y1; ++y)
         for (int x = bounds.x0; x < bounds.x1; ++x) {
@@ -38,6 +38,7 @@ TEST(Contrast, EdgesAreCoveredOnce) {
             const int count = holding(regions, x, y);
             ASSERT_LE(count, 1);
             ASSERT_TRUE(count == 1 || !at_edge) << x << " " << y;
+            ASSERT_EQ(at_edge, pixels[film.index(x, y)] == 1) << x << " " << y;
             covered += count;
         }
     EXPECT_LT(covered, bounds.width() * bounds.height() / 3);
@@ -51,12 +52,12 @@ TEST(Contrast, EdgesAreCoveredOnce) {
 TEST(Contrast, ThresholdAndGamma) {
     const PixelRect bounds{0, 0, 16, 16};
     const Film dark = film_of(bounds, [](int x, int) { return x < 8 ? 0.0F : 0.01F; });
-    EXPECT_FALSE(contrasting_regions(dark, {}).empty()) << "0.01 is 0.16 after gamma 2.5, three times";
-    EXPECT_TRUE(contrasting_regions(dark, {.gamma = 1}).empty());
-    EXPECT_TRUE(contrasting_regions(dark, {.threshold = 0.5}).empty());
+    EXPECT_FALSE(contrast_of(dark, {}).regions.empty()) << "0.01 is 0.16 after gamma 2.5, three times";
+    EXPECT_TRUE(contrast_of(dark, {.gamma = 1}).regions.empty());
+    EXPECT_TRUE(contrast_of(dark, {.threshold = 0.5}).regions.empty());
     const Film bright = film_of(bounds, [](int x, int) { return x < 8 ? 1.0F : 90.0F; });
-    EXPECT_TRUE(contrasting_regions(bright, {}).empty());
-    EXPECT_EQ(contrasting_regions(bright, {.threshold = 0}).size(), 2U) << "0 refines everything";
+    EXPECT_TRUE(contrast_of(bright, {}).regions.empty());
+    EXPECT_EQ(contrast_of(bright, {.threshold = 0}).regions.size(), 2U) << "0 refines everything";
 }
 
 }  // namespace

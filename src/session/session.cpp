@@ -100,13 +100,14 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     if (result.stopped || sampling.samples < 2) return result;
     const Clock::time_point start = Clock::now();
     const double seconds_before = result.seconds;
-    const std::vector<PixelRect> regions = contrasting_regions(result.film, sampling);
+    const Contrast contrast = contrast_of(result.film, sampling);
+    const std::vector<PixelRect>& regions = contrast.regions;
     // Few enough that a stop is answered soon, enough to keep all threads busy.
     constexpr std::size_t kAtOnce = 256;
     for (std::size_t done = 0; done < regions.size() && !result.stopped; done += kAtOnce) {
         const auto some = std::span(regions).subspan(done, std::min(kAtOnce, regions.size() - done));
         const RenderStats stats =
-            device_->render_regions(frame, some, {{}, 1, sampling.samples - 1}, result.film, stop);
+            device_->render_regions(frame, some, {{}, 1, sampling.samples - 1, contrast.pixels}, result.film, stop);
         result.stats.rays += stats.rays;
         result.stats.shadow_rays += stats.shadow_rays;
         result.stopped = !stats.complete;

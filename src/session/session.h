@@ -43,7 +43,7 @@ public:
     RenderResult render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress, const StopFlag& stop,
                         const std::optional<PixelRect>& region = {});
 
-    /// Renders one sample a pixel, then more where neighbours differ (contrasting_regions). The film's pixels then have
+    /// Renders one sample a pixel, then more where neighbours differ (contrast_of). The film's pixels then have
     /// different numbers of samples. `region` as above.
     RenderResult render_adaptive(const Frame& frame, const AdaptiveSampling& sampling, const ProgressSink& progress,
                                  const StopFlag& stop, const std::optional<PixelRect>& region = {});

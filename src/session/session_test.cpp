@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -97,6 +98,9 @@ TEST(Session, AdaptiveSamplingAddsSamplesAtEdges) {
             ASSERT_NEAR(sum[0], want, 1e-3F);
         }
     EXPECT_GT(refined, 0);
+    const Film one = session.render(frame_of(37, 200), 1, {}, StopFlag{}).film;
+    const Contrast contrast = contrast_of(one, {.threshold = 0.1, .gamma = 1, .samples = 6});
+    EXPECT_EQ(refined, std::count(contrast.pixels.begin(), contrast.pixels.end(), 1)) << "not whole rectangles";
     stop.request();
     EXPECT_TRUE(session.render_adaptive(frame_of(37, 200), {}, {}, stop).stopped);
 }

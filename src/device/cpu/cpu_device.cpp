@@ -123,7 +123,7 @@ private:
         }
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
-            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film});
+            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film, work.wanted});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }

@@ -146,10 +146,19 @@ template <class Visit>
     const int rows = std::min(work.region.y1 - y0, kBlockHeight);
     for (int row = first_row; row < rows; ++row) {
         const std::size_t first = work.film.index(x0 + first_column, y0 + row);
-        for (int column = first_column; column < columns; ++column)
-            visit(static_cast<std::size_t>(row * kBlockWidth + column),
-                  first + static_cast<std::size_t>(column - first_column));
+        for (int column = first_column; column < columns; ++column) {
+            const std::size_t i = first + static_cast<std::size_t>(column - first_column);
+            if (work.wanted.empty() || work.wanted[i] != 0)
+                visit(static_cast<std::size_t>(row * kBlockWidth + column), i);
+        }
     }
+}
+
+/// All bits set in the lanes whose pixels are wanted.
+vuint wanted_lanes(int x0, int y0, const TileWork& work) {
+    vuint lanes{};
+    for_each_pixel(x0, y0, work, [&](std::size_t lane, std::size_t) { lanes[lane] = ~0U; });
+    return lanes;
 }
 
 /// What the film holds of a block so far. New samples are added to it one by one, as if there had been no break, so
@@ -227,6 +236,11 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
         for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
             const BlockPixels pixels(x, y);
             vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
+            if (!work.wanted.empty()) {
+                const vuint wanted = wanted_lanes(x, y, work);
+                inside &= wanted;
+                if (sum_lanes(word(wanted)) == 0) continue;
+            }
             const BlockResult block = trace_block(view, x, y, word(inside) != word(0U), work);
             counts.rays = counts.rays + block.counts.rays;
             counts.shadow_rays = counts.shadow_rays + block.counts.shadow_rays;

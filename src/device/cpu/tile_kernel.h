@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "device/film.h"
 #include "device/render_scene.h"
@@ -17,6 +18,7 @@ struct TileWork {
     PixelRect region;       ///< Pixels to write.
     std::uint32_t first_sample, sample_count;
     Film& film;
+    std::span<const std::uint8_t> wanted{};  ///< As in RenderWork.
 };
 
 /// Rays that a tile took.
