@@ -41,7 +41,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
             row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
-            const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+            const bool swapped =
+                i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
             if (swapped) row[j] = std::min(row[j], before_last[j - 2] + 1);
         }
         std::swap(before_last, last);
@@ -57,7 +58,8 @@ std::string format(const Diagnostic& diagnostic) {
     if (diagnostic.where.file) {
         text += *diagnostic.where.file;
         if (diagnostic.where.line > 0) text += ':' + std::to_string(diagnostic.where.line);
-        if (diagnostic.where.line > 0 && diagnostic.where.column > 0) text += ':' + std::to_string(diagnostic.where.column);
+        if (diagnostic.where.line > 0 && diagnostic.where.column > 0)
+            text += ':' + std::to_string(diagnostic.where.column);
         text += ": ";
     }
     text += diagnostic.severity == Severity::error ? "error: " : "warning: ";

@@ -21,9 +21,9 @@ private:
 
 /// A report of how far a render is.
 struct Progress {
-    double fraction = 0;      ///< Done, 0 to 1.
-    double seconds = 0;       ///< Since the start.
-    std::uint64_t rays = 0;   ///< Traced so far, of all kinds.
+    double fraction = 0;     ///< Done, 0 to 1.
+    double seconds = 0;      ///< Since the start.
+    std::uint64_t rays = 0;  ///< Traced so far, of all kinds.
 };
 
 /// Called now and then, from one thread at a time.

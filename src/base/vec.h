@@ -39,7 +39,7 @@ constexpr Vec3& operator-=(Vec3& a, Vec3 b) { return a = a - b; }
 constexpr Vec3& operator*=(Vec3& a, float s) { return a = a * s; }
 
 constexpr float dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-constexpr Vec3 cross(Vec3 a, Vec3 b) {
+constexpr Vec3 cross(Vec3 a, Vec3 b) {  // Right-handed: x cross y is z.
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline float length(Vec3 a) { return std::sqrt(dot(a, a)); }
@@ -48,10 +48,10 @@ inline Vec3 normalize(Vec3 a) {
     const float len = length(a);
     return len > 0 ? a / len : a;
 }
-constexpr Vec3 min(Vec3 a, Vec3 b) {
+constexpr Vec3 min(Vec3 a, Vec3 b) {  // Component by component.
     return {a.x < b.x ? a.x : b.x, a.y < b.y ? a.y : b.y, a.z < b.z ? a.z : b.z};
 }
-constexpr Vec3 max(Vec3 a, Vec3 b) {
+constexpr Vec3 max(Vec3 a, Vec3 b) {  // Component by component.
     return {a.x > b.x ? a.x : b.x, a.y > b.y ? a.y : b.y, a.z > b.z ? a.z : b.z};
 }
 inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }

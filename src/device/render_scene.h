@@ -41,10 +41,10 @@ struct PlacedSolid {
 struct RenderScene : render_scene_detail::Arrays {
     std::uint32_t features = 0;  ///< FEATURE_* bits that the scene itself needs (shadows and culling are the frame's).
     Bounds3 bounds;              ///< World bounds of all finite geometry at rest.
-    std::vector<std::string> geometry_names;         ///< One for each of `geometries`; the scene object's name.
-    std::vector<std::uint32_t> geometry_objects;     ///< One for each of `geometries`: index into Scene::objects.
-    std::vector<std::string> material_names;         ///< One for each of `materials`.
-    std::vector<PlacedSolid> solids;                 ///< Ascending by geometry.
+    std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
+    std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
+    std::vector<std::string> material_names;      ///< One for each of `materials`.
+    std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
 };
 
 /// Bytes of all arrays.

@@ -7,9 +7,12 @@ namespace sundog::scene {
 
 float value_at(const Motion& motion, float time_s) {
     switch (motion.kind) {
-        case Motion::Kind::constant: return motion.base;
-        case Motion::Kind::wave: return motion.base + motion.amplitude * std::sin(motion.speed * time_s);
-        case Motion::Kind::linear: return motion.speed * time_s;
+        case Motion::Kind::constant:
+            return motion.base;
+        case Motion::Kind::wave:
+            return motion.base + motion.amplitude * std::sin(motion.speed * time_s);
+        case Motion::Kind::linear:
+            return motion.speed * time_s;
     }
     return motion.base;
 }

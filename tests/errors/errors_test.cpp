@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corpus of bad input: each x.expected holds what importing x.scene, x.obj, x.pov or x.conf says (warnings, then the error
-// if there is one), in full, with this folder's path left out. With SUNDOG_WRITE_EXPECTED set in the environment the
-// files are written anew, to be read before they are committed.
+// The corpus of bad input: each x.expected holds what importing x.scene, x.obj, x.pov or x.conf says (warnings, then
+// the error if there is one), in full, with this folder's path left out. With SUNDOG_WRITE_EXPECTED set in the
+// environment the files are written anew, to be read before they are committed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

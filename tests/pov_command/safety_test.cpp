@@ -73,9 +73,9 @@ TEST_F(Safety, ScenesCannotWriteElsewhere) {
 
 // Catches INI files whose picture, texts or INI file go where the command line didn't send them.
 TEST_F(Safety, IniFilesCannotWriteElsewhere) {
-    for (const std::string& line : std::vector<std::string>
-         {"Output_File_Name=../escaped", "+O../escaped.png", "Output_File_Name=" + (folder_ / "escaped").string(),
-          std::string("All_File=../escaped.png"), std::string("Create_Ini=../escaped.png")}) {
+    for (const std::string& line : std::vector<std::string>{
+             "Output_File_Name=../escaped", "+O../escaped.png", "Output_File_Name=" + (folder_ / "escaped").string(),
+             std::string("All_File=../escaped.png"), std::string("Create_Ini=../escaped.png")}) {
         SCOPED_TRACE(line);
         write_bytes(work() / "evil.ini", line + "\n");
         expect_refused(render("", {"evil.ini"}), "an INI file wants to write");
