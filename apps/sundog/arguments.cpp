@@ -134,6 +134,7 @@ AovChoice parse_aovs(std::string_view text) {
             }
         if (!known) {
             std::vector<std::string_view> names;
+            names.reserve(std::size(kPlanes));
             for (const Plane& plane : kPlanes) names.push_back(plane.name);
             fail("--aov", name, "there is no such plane", suggest(name, names));
         }

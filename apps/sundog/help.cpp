@@ -13,7 +13,8 @@ namespace {
 
 int help(const CLI::App& program, const std::string& topic) {
     if (topic.empty()) {
-        fmt::print("{}", program.help());
+        // Not program.help(): that is about the command given, which is this one.
+        fmt::print("{}", program.get_formatter()->make_help(&program, program.get_name(), CLI::AppFormatMode::Normal));
         return 0;
     }
     if (topic == "pov") {

@@ -29,6 +29,13 @@ std::string name_of(const OutputPlan& plan) {
     return plan.target == Target::standard_output ? "standard output" : plan.file.string();
 }
 
+/// Where `count` frames from `first` on went: the video, or the first and the last numbered image.
+std::string name_of_frames(const OutputPlan& plan, int first, int count) {
+    if (plan.target != Target::numbered_images || count == 0) return name_of(plan);
+    const std::string name = numbered_file(plan.file, first).string();
+    return count == 1 ? name : fmt::format("{} ... {}", name, numbered_file(plan.file, first + count - 1).string());
+}
+
 /// "640x480, 4 samples a pixel, 0.21 s, 35.1 million rays/s on NAME"
 std::string summary(const RenderResult& result, int samples, const DeviceInfo& device) {
     const double rays_per_second = static_cast<double>(result.stats.rays) / std::max(result.seconds, 1e-9);
@@ -120,12 +127,14 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     writer.finish();
     line.clear();
     if (stopped) {
-        print_note(fmt::format("interrupted: wrote {} of {} frames to {}", writer.written(), count, name_of(plan)));
+        print_note(fmt::format("interrupted: wrote {} of {} frames to {}", writer.written(), count,
+                               name_of_frames(plan, range.first, writer.written())));
         return kInterrupted;
     }
     if (!arguments.quiet)
-        print_note(fmt::format("wrote {} frames to {} ({:.1f} s, {:.1f} frames/s on {})", count, name_of(plan),
-                               seconds(), count / std::max(seconds(), 1e-9), stage.session.device().info().name));
+        print_note(fmt::format("wrote {} frame{} to {} ({:.1f} s, {:.1f} frames/s on {})", count, count == 1 ? "" : "s",
+                               name_of_frames(plan, range.first, count), seconds(), count / std::max(seconds(), 1e-9),
+                               stage.session.device().info().name));
     return 0;
 }
 

@@ -121,7 +121,11 @@ Replacement::Replacement(const fs::path& target) : named_(target), target_(targe
     }
     if (descriptor_ < 0) {
         const int why = errno;
-        fail_to_write(named_, why == ENOENT ? "there is no folder '" + folder.string() + "'" : reason(why));
+        if (why != ENOENT) fail_to_write(named_, reason(why));
+        // /proc is a folder in which no file can be made, and says so by ENOENT as well.
+        if (fs::is_directory(folder, error))
+            fail_to_write(named_, "the folder '" + folder.string() + "' takes no files");
+        fail_to_write(named_, "there is no folder '" + folder.string() + "'");
     }
     exists_ = true;
     if (fs::exists(status)) ::fchmod(descriptor_, static_cast<mode_t>(status.permissions()) & 0777U);

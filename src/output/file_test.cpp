@@ -83,6 +83,8 @@ TEST(WriteFile, SaysWhyATargetCanNotBeWritten) {
     fs::create_directory(folder / "d");
     EXPECT_NE(write_error(folder / "d").find("d': it is a folder"), std::string::npos);
     EXPECT_NE(write_error(folder / "none/a").find("there is no folder '"), std::string::npos);
+    // Creating a file there fails as it does in a folder that isn't there.
+    EXPECT_NE(write_error("/proc/a").find("/proc/a': the folder '/proc' takes no files"), std::string::npos);
     put(folder / "f", "");
     EXPECT_NE(write_error(folder / "f/a").find("Not a directory"), std::string::npos);
     EXPECT_EQ(folder.entries(), 2U);

@@ -65,12 +65,14 @@ TEST(Output, StandardOutputIsThePictureAlone) {
     EXPECT_EQ(quiet.err, "");
 }
 
-// Catches frames that are all of the same moment, or numbered otherwise than asked for.
+// Catches frames that are all of the same moment, numbered otherwise than asked for, or announced under another name.
 TEST(Output, NumberedFrames) {
     const TemporaryFolder folder;
     const Outcome outcome =
         run(with(small_render(table_scene(), folder / "turn-%03d.ppm"), {"--frames", "9..10", "--fps", "1"}));
     ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string names = (folder / "turn-009.ppm").string() + " ... " + (folder / "turn-010.ppm").string() + " (";
+    EXPECT_NE(outcome.err.find("wrote 2 frames to " + names), std::string::npos) << outcome.err;
     const std::string first = read_bytes(folder / "turn-009.ppm");
     const std::string second = read_bytes(folder / "turn-010.ppm");
     EXPECT_FALSE(first.empty());

@@ -61,6 +61,7 @@ TEST(Usage, HelpIsOnStandardOutput) {
         EXPECT_NE(outcome.out.find("Examples:"), std::string::npos) << outcome.out;
         EXPECT_EQ(outcome.err, "");
     }
+    EXPECT_EQ(run({"help"}).out, run({}).out) << "the overview, not the help of 'help'";
     EXPECT_TRUE(run({"--version"}).out.starts_with("sundog "));
 }
 

@@ -151,7 +151,7 @@ TEST_F(Orbit, LocatesErrors) {
     EXPECT_EQ(error_with("lightPos = 1 1 1\n"), "11:1: the key 'lightPos' is given twice");
     EXPECT_EQ(error_with("light = sun const\nlightPos = 0 0 0\n"), "11:1: the sun that starts here has no direction");
     EXPECT_EQ(error_with("width = 0\n"), "11:9: number out of range");
-    EXPECT_EQ(error_with("width = 65537\n"), "11:9: number out of range");
+    EXPECT_EQ(error_with("width = 65536\n"), "11:9: number out of range");
     EXPECT_EQ(error_with("reflThreshold = 1.5\n"), "11:17: number out of range");
     EXPECT_EQ(error_with("sky = 1 1 -1\n"), "11:7: a colour can't be negative");
     EXPECT_EQ(error_with("shadow = maybe\n"), "11:10: expected true or false, found 'maybe'");

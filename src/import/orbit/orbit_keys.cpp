@@ -8,11 +8,11 @@
 namespace sundog::import {
 
 bool read_setting(std::string_view key, LineCursor& value, scene::Settings& settings) {
-    constexpr int kMostPixels = 65536;
+    constexpr int kMostPixels = 65535;
     constexpr int kMostDepth = 1000;
-    if (key == "width") settings.width = read_int_in(value, "width = a whole number from 1 to 65536", 1, kMostPixels);
+    if (key == "width") settings.width = read_int_in(value, "width = a whole number from 1 to 65535", 1, kMostPixels);
     else if (key == "height")
-        settings.height = read_int_in(value, "height = a whole number from 1 to 65536", 1, kMostPixels);
+        settings.height = read_int_in(value, "height = a whole number from 1 to 65535", 1, kMostPixels);
     else if (key == "fullscreen") settings.fullscreen = read_bool(value, "fullscreen = true or false");
     else if (key == "freeze") settings.freeze_s = read_float(value, "freeze = a time in seconds");
     else if (key == "maxRayDepth")
