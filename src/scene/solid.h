@@ -10,6 +10,7 @@
 
 #include "base/diagnostics.h"
 #include "base/vec3d.h"
+#include "scene/function.h"
 
 namespace sundog::scene {
 
@@ -114,6 +115,17 @@ struct SolidMesh {
     Vec3d inside_vector;
 };
 
+/// Inside: within the container, where the function of x, y, z is below the threshold.
+struct Isosurface {
+    std::shared_ptr<const Function> function;  ///< 3 inputs, 1 output.
+    double threshold = 0;
+    bool in_sphere = false;
+    Vec3d center;  ///< Of a sphere.
+    double radius = 1;
+    Vec3d lower{-1, -1, -1}, upper{1, 1, 1};  ///< Of a box.
+    bool open = false;                        ///< Without the container's surface.
+};
+
 struct Solid;
 
 /// Children joined: `combined` keeps inner surfaces (union), `merged` loses them, `common` is the intersection. A
@@ -128,7 +140,7 @@ struct Solid {
     static constexpr std::uint32_t kInherited = 0xffffffffU;
     SourceLocation where;
     std::variant<SolidSphere, SolidBox, SolidCone, HalfSpace, Torus, Polynomial, Superellipsoid, Blob, Lathe,
-                 SurfaceOfRevolution, Prism, SphereSweep, HeightField, Disc, FlatPolygon,
+                 SurfaceOfRevolution, Prism, SphereSweep, HeightField, Disc, FlatPolygon, Isosurface,
                  std::shared_ptr<const SolidMesh>, SolidGroup>
         shape;
     Affine3d parent_from_shape;  ///< Groups: applies to all children, after their own.

@@ -52,6 +52,8 @@ std::uint32_t own_or(std::uint32_t own, std::uint32_t above) { return own != sce
 
 class SolidCompiler {
 public:
+    explicit SolidCompiler(std::span<const scene::Texture> textures) : textures_(textures) {}
+
     std::shared_ptr<CompiledSolid> compile(const scene::Solid& solid, std::uint32_t material) {
         out_->nodes_.emplace_back();
         const NodeBounds bounds = place(0, {&solid, {}, material, scene::Solid::kInherited}, 0, true);
@@ -86,7 +88,9 @@ private:
         CompiledSolid::Leaf leaf;
         leaf.shape = std::visit(
             [&](const auto& shape) -> ShapePointer {
-                if constexpr (requires { make_shape(shape, placed.solid->where); })
+                if constexpr (requires { make_shape(shape, placed.solid->where, textures_); })
+                    return make_shape(shape, placed.solid->where, textures_);
+                else if constexpr (requires { make_shape(shape, placed.solid->where); })
                     return make_shape(shape, placed.solid->where);
                 else refuse_shape(placed.solid->where, "this kind of object can't be drawn yet");
             },
@@ -202,11 +206,13 @@ private:
         materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
     }
 
+    std::span<const scene::Texture> textures_;
     std::shared_ptr<CompiledSolid> out_ = std::make_shared<CompiledSolid>();
 };
 
-std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material) {
-    return SolidCompiler().compile(solid, material);
+std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material,
+                                                   std::span<const scene::Texture> textures) {
+    return SolidCompiler(textures).compile(solid, material);
 }
 
 bool can_be_split(const scene::Solid& solid) {

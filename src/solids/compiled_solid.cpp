@@ -64,7 +64,7 @@ void CompiledSolid::first_leaf_event(const Node& node, const Ray& ray, Range ran
     const Leaf& leaf = leaves_[node.first];
     const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
     CrossingList crossings;
-    bool is_inside = leaf.shape->crossings(in_shape, range, crossings);
+    bool is_inside = leaf.shape->first_crossing(in_shape, range, crossings);
     for (const Crossing& c : crossings) {
         if (c.visible) {
             out.push_back(event_of(node, in_shape, c, is_inside));
@@ -262,7 +262,7 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
     if (node.combination == Combination::leaf) {
         const Leaf& leaf = leaves_[node.first];
         CrossingList crossings;
-        leaf.shape->crossings(transform_ray(leaf.shape_from_world, ray), range, crossings);
+        leaf.shape->first_crossing(transform_ray(leaf.shape_from_world, ray), range, crossings);
         return std::any_of(crossings.begin(), crossings.end(), [](const Crossing& c) { return c.visible; });
     }
     EventList list;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/vec.h"
@@ -111,7 +112,9 @@ private:
 /// Flattens a solid: every shape gets its place in the world, every leaf its material (its own, else the nearest
 /// group's above it, else `material`). Errors: InputError for shapes that can't be, singular transforms, and groups
 /// nested more than 1,000 deep.
-std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material);
+/// `textures` are the scene's, for functions of pigments.
+std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material,
+                                                   std::span<const scene::Texture> textures = {});
 
 /// Whether a solid is a flat union whose children may as well be objects of their own (POV-Ray's split_union): a
 /// combined group that is neither inverted nor clipped.

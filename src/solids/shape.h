@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
 #include "scene/solid.h"
 #include "solids/bounds.h"
 #include "solids/ray.h"
@@ -24,6 +26,10 @@ public:
     /// Appends where the ray meets the shape within `range`, by ascending t, and returns whether the ray is inside at
     /// range.lower. The range is finite at its lower end.
     virtual bool crossings(const Ray& ray, Range range, CrossingList& out) const = 0;
+    /// The same, but only the first visible crossing and those before it must be told.
+    virtual bool first_crossing(const Ray& ray, Range range, CrossingList& out) const {
+        return crossings(ray, range, out);
+    }
     /// Whether a point is inside; never for mere surfaces.
     [[nodiscard]] virtual bool inside(Vec3d point) const = 0;
     /// Normal at a crossing, of any length; outward, unless the shape can't tell (then the ray's passage decides).
@@ -57,6 +63,9 @@ ShapePointer make_shape(const scene::SurfaceOfRevolution& sor, const SourceLocat
 ShapePointer make_shape(const scene::Prism& prism, const SourceLocation& where);
 ShapePointer make_shape(const scene::SphereSweep& sweep, const SourceLocation& where);
 ShapePointer make_shape(const scene::HeightField& field, const SourceLocation& where);
+/// `textures` are what images in the function's pigments are taken from.
+ShapePointer make_shape(const scene::Isosurface& isosurface, const SourceLocation& where,
+                        std::span<const scene::Texture> textures);
 ShapePointer make_shape(const scene::Disc& disc, const SourceLocation& where);
 ShapePointer make_shape(const scene::FlatPolygon& polygon, const SourceLocation& where);
 ShapePointer make_shape(const std::shared_ptr<const scene::SolidMesh>& mesh, const SourceLocation& where);

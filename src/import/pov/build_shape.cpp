@@ -145,6 +145,8 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
             return read_sphere_sweep(items);
         case Keyword::polygon:
             return read_polygon(items);
+        case Keyword::isosurface:
+            return read_isosurface(items);
         case Keyword::height_field:
             return read_height_field(objects, items);
         case Keyword::text:
@@ -175,6 +177,8 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
 }
 
 bool read_shape_item(ItemReader& items, const Block& block, NodeShape& shape) {
+    if (auto* isosurface = std::get_if<scene::Isosurface>(&shape))
+        if (read_isosurface_item(items, *isosurface)) return true;
     if (items.take(Keyword::open)) {
         const bool open = items.flag();
         if (auto* cone = std::get_if<scene::SolidCone>(&shape)) cone->open = open;

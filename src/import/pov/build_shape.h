@@ -27,6 +27,9 @@ NodeShape read_surface_of_revolution(ItemReader& items);
 NodeShape read_prism(ItemReader& items);
 NodeShape read_sphere_sweep(ItemReader& items);
 NodeShape read_polygon(ItemReader& items);
+NodeShape read_isosurface(ItemReader& items);
+/// Takes one of an isosurface's own items, if one follows.
+bool read_isosurface_item(ItemReader& items, scene::Isosurface& isosurface);
 NodeShape read_height_field(ObjectReader& objects, ItemReader& items);
 NodeShape read_text(ItemReader& items);
 NodeShape read_bicubic_patch(ItemReader& items);
