@@ -13,6 +13,9 @@ bool follows_space(const scene::LayeredTexture& texture) {
     });
 }
 
+/// How many materials are kept in mind at a time.
+constexpr std::size_t kMostRemembered = 65536;
+
 template <class T>
 void append_bytes(std::string& key, const T& value) {
     key.append(reinterpret_cast<const char*>(&value), sizeof(value));
@@ -40,6 +43,8 @@ scene::Index MaterialTable::of(const TexturePointer& texture, const Affine3d& wo
     append_bytes(key, texture.get());
     append_bytes(key, interior.get());
     if (follows) append_bytes(key, placed);
+    // As for textures: what comes again does so soon.
+    if (known_.size() >= kMostRemembered) known_.clear();
     const auto [known, is_new] = known_.try_emplace(std::move(key), 0);
     if (is_new) known->second = append(texture, placed, interior);
     if (!follows) last_texture_ = texture.get(), last_interior_ = interior.get(), last_ = known->second;

@@ -16,6 +16,9 @@ using scene::LayeredTexture;
 using scene::Pigment;
 using scene::TextureLayer;
 
+/// How many different plain textures are kept in mind at a time.
+constexpr std::size_t kMostRemembered = 65536;
+
 /// Bytes that are equal for equal numbers.
 template <class... Numbers>
 void append_bytes(std::string& key, const Numbers&... numbers) {
@@ -227,6 +230,8 @@ void TextureReader::warn_of_normal(const Block& block) {
 TexturePointer TextureReader::shared(LayeredTexture texture) {
     std::string key = key_of(texture);
     if (key.empty()) return std::make_shared<const LayeredTexture>(std::move(texture));
+    // Where each of a million objects has its own colour, remembering all of them only costs.
+    if (plain_.size() >= kMostRemembered) plain_.clear();
     TexturePointer& known = plain_[std::move(key)];
     if (!known) known = std::make_shared<const LayeredTexture>(std::move(texture));
     return known;
