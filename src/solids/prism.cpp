@@ -20,6 +20,12 @@ public:
           open_(prism.open),
           curves_(std::move(curves)) {
         for (const Curve& curve : curves_) pieces_.insert(pieces_.end(), curve.pieces.begin(), curve.pieces.end());
+        for (std::size_t first = 0; first < pieces_.size(); first += kRunLength) {
+            Run run;
+            for (std::size_t i = first; i < std::min(first + kRunLength, pieces_.size()); ++i)
+                for (std::size_t k = 0; k < 4; ++k) run.include(pieces_[i].x[k], pieces_[i].y[k]);
+            runs_.push_back(run);
+        }
         for (const CurvePiece& piece : pieces_) {
             for (std::size_t i = 0; i < 4; ++i) {
                 for (const double y : {lower_, upper_}) {
@@ -74,6 +80,25 @@ public:
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
 
 private:
+    /// A rectangle around some neighbouring pieces' control points.
+    struct Run {
+        std::array<double, 2> lower{kInfinity, kInfinity}, upper{-kInfinity, -kInfinity};
+        void include(double x, double y) {
+            lower = {std::min(lower[0], x), std::min(lower[1], y)};
+            upper = {std::max(upper[0], x), std::max(upper[1], y)};
+        }
+        /// Whether a*x + b + c*y has one sign on all of it, beyond what rounding could change; `size` is about b's
+        /// terms.
+        [[nodiscard]] bool is_beside(double a, double b, double c, double size) const {
+            const double reach_x = std::max(std::abs(lower[0]), std::abs(upper[0]));
+            const double reach_y = std::max(std::abs(lower[1]), std::abs(upper[1]));
+            const double middle = 0.5 * (a * (lower[0] + upper[0]) + c * (lower[1] + upper[1])) + b;
+            const double spread = 0.5 * (std::abs(a) * (upper[0] - lower[0]) + std::abs(c) * (upper[1] - lower[1]));
+            return std::abs(middle) > spread + 1e-12 * (std::abs(a) * reach_x + std::abs(c) * reach_y + size);
+        }
+    };
+    static constexpr std::size_t kRunLength = 8;
+
     [[nodiscard]] bool inside_outline(Vec3d p) const {
         if (!conic_) return inside_curves(curves_, p.x, p.z);
         return p.y != 0 && inside_curves(curves_, p.x / p.y, p.z / p.y);
@@ -91,7 +116,13 @@ private:
         const Vec3d d = ray.direction;
         const Vec3d plane = conic_ ? cross(o, d) : cross(Vec3d{d.x, 0, d.z}, Vec3d{0, 1, 0});
         if (!conic_ && d.x == 0 && d.z == 0) return;
+        const double constant = conic_ ? plane.y : -(plane.x * o.x + plane.z * o.z);
+        const double size = conic_ ? std::abs(plane.y) : std::abs(plane.x * o.x) + std::abs(plane.z * o.z);
         for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+            if (i % kRunLength == 0 && runs_[i / kRunLength].is_beside(plane.x, constant, plane.z, size)) {
+                i += kRunLength - 1;
+                continue;
+            }
             const CurvePiece& piece = pieces_[i];
             std::array<double, 4> distance{};
             for (std::size_t k = 0; k < 4; ++k)
@@ -127,6 +158,7 @@ private:
     bool open_;
     std::vector<Curve> curves_;
     std::vector<CurvePiece> pieces_;
+    std::vector<Run> runs_;  ///< Each of kRunLength pieces.
     Bounds3d box_;
 };
 
