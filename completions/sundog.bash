@@ -32,7 +32,7 @@ _sundog() {
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
     bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load" ;;
     pov)
-      options+=" --device --sandbox --allow-write --max-steps --max-memory +W +H +I +O +A +R +Q +FN +FJ +FT +UA +L +WT +KFF"
+      options+=" --device --format --sandbox --allow-write --max-steps --max-memory +W +H +I +O +A +R +Q +FN +FJ +FT +UA +L +WT +KFF"
       [[ $word == +* ]] && mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word") && return
       files='@(pov|ini|POV|INI)' ;;
     help) mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word"); return ;;

@@ -105,13 +105,18 @@ private:
             settings.wanted = PovSettings::Wanted::version;
             return 0;
         }
+        if (name == "--format" && equals == std::string::npos) {
+            settings.wanted = PovSettings::Wanted::formatted;
+            return 0;
+        }
         if (name == "--sandbox" && equals == std::string::npos) {
             settings.sandbox = true;
             return 0;
         }
-        constexpr std::string_view kNames[] = {"--help",      "--version",    "--sandbox", "--allow-write",
-                                               "--max-steps", "--max-memory", "--device"};
-        if (std::find(std::begin(kNames), std::end(kNames), name) == std::end(kNames) || name == "--sandbox")
+        constexpr std::string_view kNames[] = {"--help",        "--version",   "--format",     "--sandbox",
+                                               "--allow-write", "--max-steps", "--max-memory", "--device"};
+        if (std::find(std::begin(kNames), std::end(kNames), name) == std::end(kNames) || name == "--sandbox" ||
+            name == "--format")
             throw UsageError("there is no switch " + in_quotes(word), suggest(name, kNames));
         const bool apart = equals == std::string::npos;
         if (apart && at + 1 == words.size()) throw UsageError("the switch " + name + " needs a value");

@@ -324,6 +324,7 @@ TEST_F(CommandLine, ShellCommandsAndOwnSwitches) {
     EXPECT_EQ(s.device, "cpu");
     EXPECT_EQ(read({"-?"}).wanted, PovSettings::Wanted::help);
     EXPECT_EQ(read({"+H"}).wanted, PovSettings::Wanted::help) << "the only word";
+    EXPECT_EQ(read({"a.pov", "--format"}).wanted, PovSettings::Wanted::formatted);
     EXPECT_EQ(read({"--version"}).wanted, PovSettings::Wanted::version);
 }
 

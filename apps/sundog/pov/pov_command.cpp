@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <iostream>
 #include <optional>
 
@@ -130,6 +131,7 @@ public:
         if (settings_.input_file == "-") standard_input.emplace();
         scene_file_ = standard_input ? standard_input->path() : find_scene(settings_);
         animation_ = animation_of(settings_);
+        if (settings_.wanted == PovSettings::Wanted::formatted) return print_formatted();
         region_ = region_of(settings_);
         check_picture_memory({settings_.width, settings_.height}, {});
         write_ini();
@@ -143,6 +145,15 @@ public:
     void fail(std::string_view message) { text_.write(PovText::fatal, fmt::format("{}\nRender failed\n", message)); }
 
 private:
+    /// The scene of the first frame in normalised language, on standard output.
+    int print_formatted() {
+        const WarningSink sink = [this](const Diagnostic& diagnostic) { warn(diagnostic); };
+        const std::string text = pov::format_pov(scene_file_, import_options(animation_.first, "-"), sink);
+        if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+            throw OutputError("can't write the formatted scene to standard output");
+        return kDone;
+    }
+
     void warn(const Diagnostic& diagnostic) {
         if (settings_.warning_level > 0) text_.write(PovText::warning, format(diagnostic) + "\n");
     }

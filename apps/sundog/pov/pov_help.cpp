@@ -18,6 +18,7 @@ but for switches that turn something on or off.
   +WTn +GA +GDfile …  +GIfile        threads; texts to console and files; write an INI file of the settings
 Sundog's own:
   --device NAME       auto, cpu or gpu
+  --format            print the scene in normalised language, each identifier replaced by what it stands for
   --sandbox           read only below the scene's folder and the library paths
   --allow-write DIR   what scenes and INI files may write besides the output's folder
   --max-steps N       how long a scene's program may run (2000000000 tokens)

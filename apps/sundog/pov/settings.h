@@ -96,7 +96,7 @@ struct PovSettings {
     std::optional<std::uint64_t> max_steps;      ///< Of the interpreter.
     std::optional<std::uint64_t> max_memory_mb;  ///< That the scene's declarations may take.
     std::string device = "auto";
-    enum class Wanted : std::uint8_t { picture, help, version } wanted = Wanted::picture;
+    enum class Wanted : std::uint8_t { picture, formatted, help, version } wanted = Wanted::picture;
 
     /// The folders of the scenes and INI files that the command line itself named.
     std::vector<std::filesystem::path> command_line_folders;

@@ -3,6 +3,7 @@
 
 #include "import/pov/build_queries.h"
 #include "import/pov/build_scene.h"
+#include "import/pov/format_blocks.h"
 #include "import/pov/interpreter.h"
 #include "scene/files.h"
 
@@ -34,6 +35,16 @@ scene::Scene import_pov(const std::filesystem::path& file, const PovOptions& opt
     for (const std::filesystem::path& path : sources.paths()) scene::add_file(scene, path);
     for (const std::string& path : read) scene::add_file(scene, path);
     return scene;
+}
+
+std::string format_pov(const std::filesystem::path& file, const PovOptions& options, const WarningSink& warn) {
+    SourceFiles sources;
+    const FileFinder files(file.parent_path(), options);
+    ObjectQueries queries(sources, files, options);
+    std::string text;
+    FormattingSink sink(text);
+    interpret(file, options, sources, sink, &queries, warn);
+    return text;
 }
 
 }  // namespace sundog::pov
