@@ -33,5 +33,8 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
 
 /// The scene's camera at time_s for a window of the given aspect (width / height).
 kernel::Camera camera_at(const scene::OrbitCamera& camera, float time_s, float aspect);
+/// A camera placed by vectors, as a pinhole: a perspective camera's width follows the window's aspect, others keep
+/// their vectors.
+kernel::Camera camera_at(const scene::ProjectionCamera& camera, float aspect);
 
 }  // namespace sundog

@@ -90,6 +90,15 @@ kernel::Camera camera_at(const scene::OrbitCamera& camera, float time_s, float a
     return out;
 }
 
+kernel::Camera camera_at(const scene::ProjectionCamera& camera, float aspect) {
+    Vec3d right = camera.right;
+    const double width = length(camera.up) * aspect;
+    if (camera.kind == scene::ProjectionCamera::Kind::perspective && length(right) > 0)
+        right = normalize(right) * width;
+    return {to_kernel(to_float(camera.location)), to_kernel(to_float(camera.direction)),
+            to_kernel(to_float(right * 0.5)), to_kernel(to_float(camera.up * 0.5))};
+}
+
 namespace {
 
 /// The caller's camera, or the scene's: the one placed by vectors, else the orbiting one.
@@ -137,7 +146,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
 
     bool some_light_casts_shadows = false;
     for (const scene::Light& light : scene.lights) {
-        frame.lights.push_back(light_at(light, time_s));
+        append_lights(light, time_s, frame.lights);
         some_light_casts_shadows = some_light_casts_shadows || light.shadows;
     }
     params.fog_count = static_cast<std::uint32_t>(scene.fogs.size());

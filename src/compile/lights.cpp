@@ -35,7 +35,42 @@ void set_area(const scene::LightArea& area, kernel::Light& out) {
     if (area.jitter) out.flags |= kernel::LIGHT_JITTER;
 }
 
+/// -1/2 to 1/2 along a row of lights; 0 for a single one.
+float place_in_row(int index, int count) {
+    return count > 1 ? static_cast<float>(index) / static_cast<float>(count - 1) - 0.5F : 0;
+}
+
 }  // namespace
+
+void append_lights(const scene::Light& light, float time_s, std::vector<kernel::Light>& out) {
+    constexpr int kMostLights = 4096;
+    const kernel::Light whole = light_at(light, time_s);
+    const bool in_parts = light.area && light.area->illuminates && !light.area->orient &&
+                          light.kind != scene::Light::Kind::sun &&
+                          light.area->size1 <= kMostLights / std::max(light.area->size2, 1);
+    if (!in_parts) {
+        out.push_back(whole);
+        return;
+    }
+    const scene::LightArea& area = *light.area;
+    const float share = 1 / static_cast<float>(area.size1 * area.size2);
+    for (int i = 0; i < area.size1; ++i) {
+        for (int k = 0; k < area.size2; ++k) {
+            float s = place_in_row(i, area.size1);
+            float t = place_in_row(k, area.size2);
+            const float reach = std::hypot(s, t);
+            if (area.circular && reach > 0) {
+                const float bend = std::max(std::abs(s), std::abs(t)) / reach;
+                s *= bend, t *= bend;
+            }
+            kernel::Light part = whole;
+            part.area_count_u = part.area_count_v = 1;
+            part.place = to_kernel(scene::place_at(light, time_s) + area.axis1 * s + area.axis2 * t);
+            part.color = to_kernel(light.color * share);
+            out.push_back(part);
+        }
+    }
+}
 
 kernel::Light light_at(const scene::Light& light, float time_s) {
     Vec3 place = scene::place_at(light, time_s);

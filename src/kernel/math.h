@@ -40,6 +40,12 @@ FN real power(real base, real exponent) {
     return select(tiny, real(0.0f), exp2_clamped(exponent * log2_positive(safe)));
 }
 
+/// Linear light of an sRGB-encoded number (IEC 61966-2-1), also above 1.
+FN real srgb_decoded(real x) {
+    return select(x <= real(0.04045f), x * (1.0f / 12.92f),
+                  power(max(x + 0.055f, real(0.0f)) * (1.0f / 1.055f), real(2.4f)));
+}
+
 /// Angle of (x, y) in radians, in (-pi, pi]; error under 2e-6. 0 for (0, 0).
 FN real angle_of(real y, real x) {
     real ax = abs(x);

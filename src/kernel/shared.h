@@ -25,7 +25,7 @@ KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 
 /// What a ray is for, as bits: a geometry may be hidden from some of them.
 KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
-KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror.
+KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
 KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
 KERNEL_CONST uint RAY_ALL = 7u;
 
@@ -331,7 +331,8 @@ struct FrameParams {
     uint sky_layer_count;
     uint features;        ///< FEATURE_* bits
     uint aovs;            ///< AOV_* bits wanted
-    float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear.
+    float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
+                          ///< scenes whose numbers are sRGB-encoded.
     uint seed;
 };
 

@@ -57,6 +57,7 @@ struct ProjectionCamera {
     double angle_deg = 0;           ///< Fisheye, ultra_wide_angle, panoramic, cylinder, spherical: horizontally.
     double vertical_angle_deg = 0;  ///< spherical
     int cylinder_type = 1;          ///< 1 to 4
+    Vec3d sky{0, 1, 0};             ///< Upwards in the scene, whichever way the camera is tilted.
 };
 
 /// A rectangle (or, `circular`, a disc) of lights around a light's place.
@@ -65,6 +66,7 @@ struct LightArea {
     int size1 = 1, size2 = 1;
     int adaptive = -1;  ///< Depth of adaptive sampling; under 0: all of them.
     bool jitter = false, circular = false, orient = false;
+    bool illuminates = false;  ///< Each of its lights lights; else they only cast shadows, of a light in the middle.
 };
 
 /// A light without size, unless it has an `area`. A moving one stands at place + (cos(t*sx)*ax, sin(t*sy)*ay,
@@ -191,7 +193,8 @@ struct Settings {
     std::optional<float> far_z;
     bool cull_backfaces = false;
     /// Exponent from the scene's colours and the radiance computed with them to linear light (POV-Ray's assumed_gamma,
-    /// its reference, section 3.4.1.3): a picture's pixels are the computed ones to this power.
+    /// its reference, section 3.4.1.3): a picture's pixels are the computed ones to this power. 0: the colours are
+    /// sRGB-encoded, and a picture's pixels are the computed ones decoded.
     float working_gamma = 1;
 };
 

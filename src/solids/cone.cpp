@@ -7,7 +7,7 @@
 namespace sundog::solids {
 namespace {
 
-constexpr std::uint32_t kSide = 0, kBase = 1, kCap = 2;
+constexpr std::uint32_t kBase = 1, kCap = 2;  // the side is 0
 
 class Cone final : public Shape {
 public:

@@ -79,14 +79,8 @@ std::vector<std::string> scene_names() {
 /// leave the list.
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> differences{
-        {"camera_omnimax", "the circle's size follows another rule in pictures that aren't square"},
-        {"camera_panoramic", "agrees in square pictures; the cause in others was not found"},
         {"finish_reflection_exponent", "reflection's exponent isn't drawn"},
-        {"fog_ground", "ground fog towards the sky; the cause was not found"},
         {"interior_box", "edges in glass; the cause was not found"},
-        {"interior_refraction", "edges in glass; the cause was not found"},
-        {"light_area", "half shadows; the cause was not found"},
-        {"settings_old_version", "without assumed_gamma, povray writes an old scene's numbers straight to the file"},
         {"shape_height_field", "shading of smooth height fields: povray's vertex normals aren't known"},
     };
     return differences;

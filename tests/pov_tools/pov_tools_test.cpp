@@ -68,10 +68,10 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PovTools,
                                          "blender"),
                          [](const auto& name) { return std::string(name.param); });
 
-// Not among them yet: ase (shades of its gamma), vtk (textures that blend between corners), openscad (a `right` behind
-// `look_at`) and wings3d (uv mapping on meshes).
+// Not among them yet: wings3d (uv mapping on meshes).
 INSTANTIATE_TEST_SUITE_P(Scenes, PovToolsPictures,
-                         testing::Values("pymol", "vmd", "jmol", "ldview", "freecad", "blender"),
+                         testing::Values("ase", "pymol", "vmd", "jmol", "ldview", "vtk", "freecad", "openscad",
+                                         "blender"),
                          [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

@@ -28,7 +28,7 @@ inline constexpr int kBlockWidth = 2, kBlockHeight = 2;
 FN vfloat& lanes_of(float* first) { return *reinterpret_cast<vfloat*>(first); }
 FN vuint& lanes_of(unsigned* first) { return *reinterpret_cast<vuint*>(first); }
 
-FN void store_ray(const Ray& ray, uint ray_kind, RayPacket& packet) {
+FN void store_ray(const Ray& ray, word ray_kind, RayPacket& packet) {
     lanes_of(packet.org_x) = ray.origin.x.v;
     lanes_of(packet.org_y) = ray.origin.y.v;
     lanes_of(packet.org_z) = ray.origin.z.v;
@@ -38,11 +38,11 @@ FN void store_ray(const Ray& ray, uint ray_kind, RayPacket& packet) {
     lanes_of(packet.tnear) = ray.t_min.v;
     lanes_of(packet.tfar) = ray.t_max.v;
     lanes_of(packet.time) = vfloat{};
-    lanes_of(packet.mask) = vuint{} + ray_kind;
+    lanes_of(packet.mask) = ray_kind.v;
     lanes_of(packet.flags) = vuint{};
 }
 
-inline Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind) {
+inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together) {
     alignas(64) RayHitPacket packet;
     store_ray(ray, ray_kind, packet.ray);
     lanes_of(packet.hit.geomID) = vuint{} - 1u;
@@ -50,7 +50,7 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind) {
     alignas(64) const vint valid = lane_ints(alive);
     // As one packet even off mirrors: neighbours' rays mostly stay together, and that is a tenth to a quarter faster on
     // the gallery. But not where things move: see trace_any.
-    embree::Query query(ray_kind != RAY_REFLECTED || !FEATURE(FEATURE_INSTANCES));
+    embree::Query query(together || !FEATURE(FEATURE_INSTANCES));
     embree::closest_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
                         query, packet);
     Hit hit;
@@ -71,7 +71,7 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind) {
     return hit;
 }
 
-inline mask trace_any(SCENE Ray ray, mask alive, uint ray_kind) {
+inline mask trace_any(SCENE Ray ray, mask alive, word ray_kind) {
     alignas(64) RayPacket packet;
     store_ray(ray, ray_kind, packet);
     alignas(64) const vint valid = lane_ints(alive);

@@ -20,7 +20,7 @@ constexpr std::array kValid{
     Keyword::direction,    Keyword::sky,          Keyword::angle,      Keyword::aperture,
     Keyword::blur_samples, Keyword::focal_point,  Keyword::confidence, Keyword::variance,
     Keyword::normal,       Keyword::translate,    Keyword::rotate,     Keyword::scale,
-    Keyword::matrix};
+    Keyword::matrix,       Keyword::transform};
 
 std::optional<Kind> kind_of(Keyword keyword) {
     switch (keyword) {
@@ -69,7 +69,9 @@ private:
         } else if (items_.take_block(Keyword::normal)) {
             context_.warn_once("camera normal", items_.taken_where(), "a camera's normal { } isn't drawn yet");
         } else if (items_.take_block(Keyword::mesh_camera) || items_.take_block(Keyword::user_defined)) {
-            items_.fail("a kind of camera that Sundog doesn't have", "mesh_camera and user_defined aren't supported");
+            context_.warn_once("mesh_camera", items_.taken_where(),
+                               "mesh_camera and user_defined cameras aren't drawn yet",
+                               "a perspective camera stands in for it");
         } else if (!items_.take_block(Keyword::bokeh)) {
             return false;
         }
@@ -99,7 +101,7 @@ private:
         } else if (items_.take(Keyword::direction)) {
             camera.direction = items_.vector("a direction");
         } else if (items_.take(Keyword::sky)) {
-            parts_.sky = items_.vector("a direction upwards");
+            camera.sky = items_.vector("a direction upwards");
         } else if (items_.take(Keyword::angle)) {
             read_angle();
         } else {
@@ -157,12 +159,13 @@ private:
         if (!look_at_ || length(to_target) == 0) return;
         const double direction_length = length(camera.direction);
         const double up_length = length(camera.up);
-        const bool left_handed = dot(cross(camera.up, camera.direction), camera.right) >= 0;
+        // Vectors in one plane (`up z` beside a direction along z) count as right-handed.
+        const bool left_handed = dot(cross(camera.up, camera.direction), camera.right) > 0;
         const double right_length = length(camera.right) * (left_handed ? 1 : -1);
         const Vec3d forward = normalize(to_target);
-        Vec3d right = cross(parts_.sky, forward);
+        Vec3d right = cross(camera.sky, forward);
         // Looking along the sky vector: any right will do; the camera's own stays as far as it can.
-        if (length(right) < 1e-9 * length(parts_.sky)) right = cross(cross(forward, camera.right), forward);
+        if (length(right) < 1e-9 * length(camera.sky)) right = cross(cross(forward, camera.right), forward);
         if (length(right) == 0) right = cross(camera.up, forward);
         right = normalize(right);
         camera.direction = forward * direction_length;
@@ -185,6 +188,7 @@ private:
         camera.direction = transform_vector(moved_, camera.direction);
         camera.right = transform_vector(moved_, camera.right);
         camera.up = transform_vector(moved_, camera.up);
+        camera.sky = transform_vector(moved_, camera.sky);
     }
 
     BuildContext& context_;

@@ -10,8 +10,7 @@ namespace sundog::pov {
 /// A camera while its vectors still depend on what follows.
 struct CameraParts {
     scene::ProjectionCamera camera{
-        scene::ProjectionCamera::Kind::perspective, {}, {}, {0, 0, 1}, {1.33, 0, 0}, {0, 1, 0}, 0, 0, 1};
-    Vec3d sky{0, 1, 0};
+        scene::ProjectionCamera::Kind::perspective, {}, {}, {0, 0, 1}, {1.33, 0, 0}, {0, 1, 0}, 0, 0, 1, {0, 1, 0}};
 };
 
 /// The camera of a `camera { }`, with look_at, angle and transformations worked into its vectors.

@@ -18,10 +18,11 @@ namespace sundog::pov {
 
 /// Settings of global_settings that change how what follows is read.
 struct ColorSpace {
-    /// Exponent from the scene's numbers to linear light; nothing set: 1 from version 3.7 on, else kLegacyGamma.
+    /// Exponent from the scene's numbers to linear light; nothing set: 1 from version 3.7 on; before, the
+    /// numbers go to the file as they are.
     std::optional<double> assumed_gamma;
 };
-/// What scenes of before 3.7 without assumed_gamma were made for: screens of that gamma, without any correction.
+/// The gamma that `assumed_gamma srgb` is taken for.
 inline constexpr double kLegacyGamma = 2.2;
 
 /// Shared by the readers of all blocks. One for a scene.

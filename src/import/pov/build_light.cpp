@@ -136,9 +136,8 @@ private:
                 read_area();
                 break;
             case Keyword::area_illumination:
-                if (items_.flag())
-                    context_.warn_once("area_illumination", items_.taken_where(), "area_illumination isn't drawn yet",
-                                       "area lights shade like points and cast soft shadows");
+                area_.illuminates = items_.flag();
+                if (light.area) light.area->illuminates = area_.illuminates;
                 break;
             default:
                 read_area_item(*keyword);

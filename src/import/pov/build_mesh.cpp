@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "import/pov/build_corner_textures.h"
 #include "import/pov/build_shape.h"
 
 namespace sundog::pov {
@@ -53,31 +54,55 @@ public:
                 }
             } else if (const auto block = items.take_block(Keyword::texture)) {
                 triangle.material = texture(objects_.textures().read(block));
-            } else if (items.take_block(Keyword::texture_list)) {
-                warn_of_blended_corners(items);
+            } else if (const auto list = items.take_block(Keyword::texture_list)) {
+                read_corner_textures(items, *list);
             } else {
                 items.unexpected("texture { } or uv_vectors");
             }
         }
     }
 
-    void warn_of_blended_corners(ItemReader& items) {
+    /// Gives the last triangle the textures of its corners.
+    void set_corner_textures(ItemReader& items, const CornerTextures& corners) {
+        SolidMesh::Triangle& triangle = mesh_.triangles.triangles.back();
+        triangle.material = texture(corners[0]);
+        if (corners[0] == corners[1] && corners[0] == corners[2]) return;
+        if (const TexturePointer blended = blender_.blended(corners)) {
+            triangle.material = texture(blended);
+            blended_.push_back(mesh_.triangles.triangles.size() - 1);
+            return;
+        }
         objects_.context().warn_once("triangle texture blending", items.taken_where(),
-                                     "textures that blend between a triangle's corners aren't drawn yet",
+                                     "patterns that blend between a triangle's corners aren't drawn yet; colors are",
                                      "the first corner's texture covers the triangle");
     }
 
     NodeMesh& mesh() { return mesh_; }
 
     NodeShape finish(ItemReader& items) {
+        set_corner_uvs(mesh_.triangles, blended_);
         if (!mesh_.triangles.triangles.empty()) return std::make_shared<const NodeMesh>(std::move(mesh_));
         items.warn("a mesh without triangles; left out");
         return {};
     }
 
 private:
+    /// `texture_list { A B C }` in a triangle.
+    void read_corner_textures(ItemReader& items, const Block& block) {
+        ItemReader list(objects_.context(), block);
+        CornerTextures corners;
+        for (TexturePointer& corner : corners) {
+            const auto texture = list.take_block(Keyword::texture);
+            if (!texture) list.unexpected("three textures, one for each corner");
+            corner = objects_.textures().read(texture);
+        }
+        set_corner_textures(items, corners);
+    }
+
     ObjectReader& objects_;
     NodeMesh mesh_;
+    CornerBlender blender_;
+    std::vector<std::size_t> blended_;  ///< Triangles whose textures blend between their corners.
     std::map<TexturePointer, std::uint32_t> indices_;
 };
 
@@ -242,17 +267,16 @@ private:
                                       {kNone, kNone, kNone},
                                       {kNone, kNone, kNone},
                                       kNone});
-            int corner = 0;
-            double first_texture = -1;
+            std::size_t corner = 0;
+            CornerTextures corners;
             for (v = list.next(); v.size() == 1; v = list.next(), ++corner) {
-                if (corner == 0) {
-                    first_texture = v[0];
-                    mesh.triangles.back().material =
-                        builder_.texture(textures_.at(index_of(list, v[0], textures_.size(), "textures")));
-                } else if (v[0] != first_texture) {
-                    builder_.warn_of_blended_corners(items_);
-                }
+                if (corner < corners.size())
+                    corners[corner] = textures_.at(index_of(list, v[0], textures_.size(), "textures"));
             }
+            if (corner == 0) continue;
+            for (TexturePointer& texture : corners)
+                if (!texture) texture = corners[0];
+            builder_.set_corner_textures(items_, corners);
         }
     }
 

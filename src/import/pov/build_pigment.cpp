@@ -32,15 +32,18 @@ std::shared_ptr<const Pigment> read_shared(BuildContext& context, const Block& b
 /// `[0.3 rgb 1]`, `[0.3 pigment items]` or the older `[0.3 0.5 color A color B]`.
 void read_row(BuildContext& context, const Row& row, Keyword map, PigmentEntries& entries) {
     ItemReader items(context, row, map);
-    const auto at = static_cast<float>(items.number("the place of a color in its map"));
     if (map == Keyword::pigment_map) {
+        // In an average the number is a weight, which may be left out.
+        const std::optional<double> given = items.maybe_number();
+        const float at = given ? static_cast<float>(*given) : 1.0F;
         const auto rest = std::make_shared<Block>();
         rest->keyword = Keyword::pigment;
         rest->where = row.where;
-        rest->items.assign(row.items.begin() + 1, row.items.end());
+        rest->items.assign(row.items.begin() + (given ? 1 : 0), row.items.end());
         entries.push_back({at, {}, read_shared(context, *rest)});
         return;
     }
+    const auto at = static_cast<float>(items.number("the place of a color in its map"));
     if (!items.number_follows()) {
         entries.push_back({at, items.color("a color"), nullptr});
     } else {

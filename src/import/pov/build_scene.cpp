@@ -62,9 +62,9 @@ void SceneBuilder::finish() {
     if (scene.materials.empty()) {
         static_cast<void>(MaterialTable(scene).of(textures_.default_texture(Block{}), {}, nullptr));
     }
-    constexpr double kLinear = 1;
+    constexpr double kLinear = 1, kAsStored = 0;
     scene.settings.working_gamma =
-        static_cast<float>(context_.color_space.assumed_gamma.value_or(version_ < 370 ? kLegacyGamma : kLinear));
+        static_cast<float>(context_.color_space.assumed_gamma.value_or(version_ < 370 ? kAsStored : kLinear));
     constexpr float kAdcBailout = 1.0F / 255;  // POV-Ray's default
     constexpr int kMaxTraceLevel = 5;
     if (!scene.settings.min_weight) scene.settings.min_weight = kAdcBailout;

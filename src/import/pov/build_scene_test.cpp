@@ -237,10 +237,21 @@ TEST(BuildShape, PolynomialsCountDownX_Y_Z) {
     EXPECT_EQ(coefficient(1, 0, 0, 1), 9);
 }
 
+// Transforms named without braces, and `default` without its '#', as old scenes have them.
+TEST(BuildSettings, OldFormsOfStatements) {
+    const BuiltScene built = build(
+        "#declare T = transform { translate 2*x } sphere { 0, 1 transform T }"
+        "camera { location <0, 0, -5> transform T } default { finish { ambient 0.5 } } box { -1, 1 }");
+    EXPECT_FLOAT_EQ(std::get<scene::Sphere>(built.scene.objects[0].shape).center.x, 2);
+    EXPECT_EQ(built.scene.projection_camera->location.x, 2);
+    const scene::Material& box = built.scene.materials.at(built.scene.objects[1].material);
+    EXPECT_FLOAT_EQ(box.patterned->texture->layers[0].finish.ambient.x, 0.5F);
+}
+
 // Pictures of old scenes too dark or too bright.
 TEST(BuildSettings, GammaDependsOnTheVersion) {
     EXPECT_FLOAT_EQ(build("#version 3.7; sphere { 0, 1 }").scene.settings.working_gamma, 1);
-    EXPECT_FLOAT_EQ(build("#version 3.5; sphere { 0, 1 }").scene.settings.working_gamma, 2.2F);
+    EXPECT_FLOAT_EQ(build("#version 3.5; sphere { 0, 1 }").scene.settings.working_gamma, 0);
     EXPECT_FLOAT_EQ(
         build("#version 3.5; global_settings { assumed_gamma 1.8 } sphere { 0, 1 }").scene.settings.working_gamma,
         1.8F);

@@ -148,13 +148,15 @@ private:
             const auto row = items.take_row();
             if (!row) items.unexpected("a row in square brackets");
             ItemReader inside(context_, *row, Keyword::texture_map);
-            const auto at = static_cast<float>(inside.number("the place of a texture in its map"));
+            // In an average the number is a weight, which may be left out.
+            const std::optional<double> given = inside.maybe_number();
+            const float at = given ? static_cast<float>(*given) : 1.0F;
             Block texture;
             texture.keyword = Keyword::texture;
             texture.where = row->where;
             texture.version = block_.version;
             texture.defaults = block_.defaults;
-            texture.items.assign(row->items.begin() + 1, row->items.end());
+            texture.items.assign(row->items.begin() + (given ? 1 : 0), row->items.end());
             entries_.push_back({at, TextureBlockReader(owner_, texture).read()});
         }
     }

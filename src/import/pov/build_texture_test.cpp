@@ -57,6 +57,18 @@ TEST(BuildTexture, MovesWithWhatFollowsIt) {
     expect_near(pattern_point(built, {0, 1, 0}, 1), {1, 0, 0});
 }
 
+// Rows of averages without their weights, and rows of maps in which a bare number comes before `green 0.4`.
+TEST(BuildTexture, RowsWithoutWeightsAndColorsByTheirWords) {
+    const BuiltScene built = build(
+        "sphere { 0, 1 pigment { average pigment_map { [gradient y] [2 rgb 0.5] } } }"
+        "sphere { 0, 1 pigment { gradient x color_map { [0.25 green 0.4] [1 rgb 1] } } }");
+    ASSERT_EQ(pigment(built, 0).entries.size(), 2U);
+    EXPECT_FLOAT_EQ(pigment(built, 0).entries[0].at, 1);
+    ASSERT_EQ(pigment(built, 1).entries.size(), 2U);
+    EXPECT_FLOAT_EQ(pigment(built, 1).entries[0].at, 0.25F);
+    EXPECT_FLOAT_EQ(pigment(built, 1).entries[0].color.g, 0.4F);
+}
+
 // Transformations of a pigment reach the pigments in its map (povray's pictures show it).
 TEST(BuildTexture, MapsMoveTheirEntries) {
     const BuiltScene built =

@@ -98,6 +98,13 @@ bool read_transform(ItemReader& items, Affine3d& placed_from_local) {
             items.skip();
             placed_from_local = matrix_of(items) * placed_from_local;
             return true;
+        case Keyword::transform: {  // transform Identifier
+            items.skip();
+            const auto named = items.take_block(Keyword::transform);
+            if (!named) items.unexpected("the name of a transform, or '{'");
+            placed_from_local = transform_of(items.context(), *named) * placed_from_local;
+            return true;
+        }
         default:
             return false;
     }

@@ -294,6 +294,12 @@ void Interpreter::run_scene() {
             if (word_use(block.keyword) != WordUse::statement)
                 fail_expected("an object, camera, light_source or the like");
             take();
+            if (block.keyword == Keyword::default_) {
+                // The '#' before directives once could be left out.
+                warn_once(block.where, "bare default", "default { }; #default { … } was expected");
+                run_default(here());
+                continue;
+            }
             if (block.keyword == Keyword::max_trace_level || block.keyword == Keyword::max_intersections) {
                 // Before version 3 these stood outside of global_settings.
                 block.items = {{block.where, block.keyword}, {block.where, parse_value()}};

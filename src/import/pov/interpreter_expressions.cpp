@@ -62,7 +62,9 @@ double Interpreter::parse_number() {
 
 Value Interpreter::parse_value() {
     Value value = parse_expression();
-    if (at_color_word()) {
+    // `[0.2 green 0.3]` of a map: a number, and a colour by itself.
+    const bool plain_number = value.count == 1 && !value.is_color;
+    if (!plain_number && at_color_word()) {
         if (!value.is_color) {
             // `<0.2, 0.4, 0.6> transmit 0.5`: a colour without its keyword.
             value = promoted(value, kColorComponents);

@@ -7,11 +7,9 @@
 
 KERNEL_BEGIN
 
-/// Density of ground fog from its foot up to relative height z: 1 below z = 0, 1/(1+z)^2 above.
-FN real ground_fog_depth(real z) {
-    real up = max(z, real(0.0f));
-    return select(z < real(0.0f), z, up / (1.0f + up));
-}
+/// Amount of ground fog from its foot up to relative height z, whose density is 1 below z = 0 and 1/(1+z^2) above.
+/// (The reference has another formula; this is what pictures of povray 3.7 show, to the last bit of 16.)
+FN real ground_fog_depth(real z) { return select(z < real(0.0f), z, angle_of(max(z, real(0.0f)), real(1.0f))); }
 
 /// Share of light, per channel, that gets through a fog over `distance` along a ray; `glow` is what the fog adds
 /// (POV-Ray's reference, section 3.4.4.2 "Fog").
@@ -23,8 +21,8 @@ FN real3 fog_transmittance(Fog fog, Ray ray, real distance, OUT(real3) glow) {
         real rise = dot(ray.direction, real3(fog.up)) * length_in_fog * per_altitude;
         real z1 = z0 + rise;
         mask level = abs(rise) < real(1e-3f);
-        real up = 1.0f + max(z0, real(0.0f));
-        real mean = select(level, 1.0f / (up * up),
+        real up = max(z0, real(0.0f));
+        real mean = select(level, 1.0f / (1.0f + up * up),
                            (ground_fog_depth(z1) - ground_fog_depth(z0)) / select(level, real(1.0f), rise));
         length_in_fog = length_in_fog * mean;
     }
@@ -36,13 +34,14 @@ FN real3 fog_transmittance(Fog fog, Ray ray, real distance, OUT(real3) glow) {
 }
 
 /// All fogs on the way of `distance` along a ray: dims `weight` and returns what they add to the radiance that it
-/// carries.
+/// carries. Fogs don't dim each other's own light, as in povray.
 FN real3 fog_radiance(SCENE Ray ray, real distance, INOUT(real3) weight) {
     real3 sum = real3(real(0.0f));
+    real3 clear_weight = weight;
     for (uint i = 0u; i < FRAME.fog_count; i = i + 1u) {
         real3 glow;
         real3 passes = fog_transmittance(AT(fogs, i), ray, distance, glow);
-        sum = sum + weight * glow;
+        sum = sum + clear_weight * glow;
         weight = weight * passes;
     }
     return sum;

@@ -38,6 +38,15 @@ FN Ray camera_ray(FrameParams frame_params, real x, real y) {
         // The unit circle of a picture in which right and up have their own lengths.
         real cx = h * (2.0f * right_length);
         real cy = v * (2.0f * up_length);
+        if (kind == CAMERA_OMNIMAX) {
+            // The dome's circle fills the picture's width; pictures that are wider than high lose the part of it that
+            // lies below the dome first: 0.77915 is half the height from the zenith to 45 degrees under the horizon,
+            // (1 + 0.5583)/2 by the lens below. As pictures of povray 3.7 show it.
+            float aspect = right_length / up_length;
+            float shrink = aspect > 1.0f ? max(1.0f / aspect, 0.77915f) : 1.0f;
+            cx = h * (aspect > 1.0f ? aspect * shrink : 1.0f);
+            cy = v * (aspect > 1.0f ? shrink : 1.0f / aspect) + real(1.0f - shrink);
+        }
         real radius = sqrt(cx * cx + cy * cy);
         real inverse_radius = 1.0f / max(radius, real(1e-20f));
         real theta = radius * half_angle;
@@ -60,13 +69,14 @@ FN Ray camera_ray(FrameParams frame_params, real x, real y) {
         along_up = sine(b);
         along_forward = cosine(a) * cosine(b);
     } else if (kind == CAMERA_SPHERICAL || kind == CAMERA_PANORAMIC) {
-        // A panorama always shows the half of space in front.
-        real longitude = h * (kind == CAMERA_SPHERICAL ? half_angle : 1.57079633f);
-        real latitude = v * (kind == CAMERA_SPHERICAL ? frame_params.camera_vertical_angle * 0.5f : 1.57079633f);
+        // A panorama always shows the half of space in front, widened or narrowed by its vectors' lengths.
+        bool panoramic = kind == CAMERA_PANORAMIC;
+        real longitude = h * (panoramic ? 1.57079633f : half_angle);
+        real latitude = v * (panoramic ? 1.57079633f : frame_params.camera_vertical_angle * 0.5f);
         real ring = cosine(latitude);
-        along_right = sine(longitude) * ring;
-        along_up = sine(latitude);
-        along_forward = cosine(longitude) * ring;
+        along_right = sine(longitude) * ring * (panoramic ? 2.0f * right_length : 1.0f);
+        along_up = sine(latitude) * (panoramic ? 2.0f * up_length : 1.0f);
+        along_forward = cosine(longitude) * ring * (panoramic ? length(camera.center) : 1.0f);
     } else {
         // Cylinders: 1 and 3 stand upright, 2 and 4 lie along `right`; 3 and 4 move the viewpoint along the cylinder.
         uint type = kind - CAMERA_CYLINDER + 1u;

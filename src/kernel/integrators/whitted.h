@@ -2,12 +2,12 @@
 // Whitted's ray tracing (An Improved Illumination Model for Shaded Display, CACM 1980), iterative.
 //
 // Before including this header the device defines, in the kernel's namespace:
-//   Hit trace_closest(SCENE Ray ray, mask alive, uint ray_kind)
+//   Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together)
 //     the nearest hit in (t_min, t_max); geometry NONE on a miss
-//   mask trace_any(SCENE Ray ray, mask alive, uint ray_kind)
+//   mask trace_any(SCENE Ray ray, mask alive, word ray_kind)
 //     true where anything, opaque or not, lies in between
-// ray_kind is one of RAY_*; all but RAY_REFLECTED (any ray but the first) surely start or end close together. Lanes
-// that aren't alive may return anything.
+// ray_kind is one of RAY_*; the lanes' rays start or end close together where `together` says so. Lanes that aren't
+// alive may return anything.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 #define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 
@@ -26,6 +26,7 @@ struct PathState {
     Ray ray;
     real3 weight;
     word depth;  ///< Surfaces before it on its path.
+    word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
     mask alive;
 };
 
@@ -96,6 +97,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.ray = ray;
     path.weight = real3(real(1.0f));
     path.depth = word(0u);
+    path.kind = word(RAY_CAMERA);
     path.alive = alive;
     first.t = real(3.0e38f);
     first.normal = black;
@@ -104,10 +106,9 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     first.primitive = word(NONE);
     first.material = word(NONE);
     bool is_first = true;
-    uint path_kind = RAY_CAMERA;
     while (true) {
         counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
-        Hit hit = trace_closest(SCENE_ path.ray, path.alive, path_kind);
+        Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, is_first);
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
         if (FEATURE(FEATURE_ATMOSPHERE)) {
@@ -198,6 +199,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                                 branch.ray.t_max = real(3.0e38f);
                                 branch.weight = transmitted;
                                 branch.depth = path.depth;
+                                branch.kind = path.kind;
                                 branch.alive = both;
                                 waiting[waiting_count] = branch;
                                 waiting_count = waiting_count + 1u;
@@ -207,6 +209,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                         }
                     }
                     path.weight = select(reflects, reflected, transmitted);
+                    path.kind = select(reflects, word(RAY_REFLECTED), path.kind);
                     path.ray = next;
                 }
             } else {
@@ -215,7 +218,6 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         }
         path.alive = follow;
         is_first = false;
-        path_kind = RAY_REFLECTED;
         if (!any_lane(follow)) {
             if (waiting_count == 0u) break;
             waiting_count = waiting_count - 1u;
@@ -223,9 +225,13 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         }
     }
     if (FRAME.working_gamma != 1.0f) {
-        real gamma = real(FRAME.working_gamma);
         radiance = max(radiance, black);
-        radiance = real3(power(radiance.x, gamma), power(radiance.y, gamma), power(radiance.z, gamma));
+        if (FRAME.working_gamma > 0.0f) {
+            real gamma = real(FRAME.working_gamma);
+            radiance = real3(power(radiance.x, gamma), power(radiance.y, gamma), power(radiance.z, gamma));
+        } else {
+            radiance = real3(srgb_decoded(radiance.x), srgb_decoded(radiance.y), srgb_decoded(radiance.z));
+        }
     }
     return radiance;
 }

@@ -62,6 +62,22 @@ FN real light_share(Light light, real3 point, real3 to_light, real distance) {
     return share;
 }
 
+/// Share of a row of `count` lights that its light number `index` has. Povray halves an area until four lights are
+/// left at the corners of each part, whose mean counts: lights that two halves have in common count for both.
+FN float area_share(uint index, uint count) {
+    uint lower = 0u;
+    uint upper = count - 1u;
+    float share = 1.0f;
+    while (upper - lower > 1u) {
+        uint left_end = (lower + upper) / 2u;
+        uint right_start = (lower + upper + 1u) / 2u;
+        if (index != left_end || left_end != right_start) share = share * 0.5f;
+        if (index <= left_end) upper = left_end;
+        else lower = right_start;
+    }
+    return upper > lower ? share * 0.5f : share;
+}
+
 /// Where an area light's point (s, t) in [-1/2, 1/2]^2 stands, seen from a point.
 FN real3 area_light_place(Light light, float s, float t, real3 to_light) {
     if ((light.flags & LIGHT_CIRCULAR) != 0u) {

@@ -18,12 +18,12 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
     counts.rays = counts.rays + one;
     counts.shadow_rays = counts.shadow_rays + one;
     if (!FEATURE(FEATURE_TRANSPARENT)) {
-        mask blocked = trace_any(SCENE_ ray, alive, RAY_SHADOW);
+        mask blocked = trace_any(SCENE_ ray, alive, word(RAY_SHADOW));
         return select(blocked, real3(real(0.0f)), real3(real(1.0f)));
     }
     real3 transmittance = real3(real(1.0f));
     for (uint surface = 0u; surface < MAX_SHADOW_SURFACES; surface = surface + 1u) {
-        Hit hit = trace_closest(SCENE_ ray, alive, RAY_SHADOW);
+        Hit hit = trace_closest(SCENE_ ray, alive, word(RAY_SHADOW), true);
         alive = mask_and(alive, hit.geometry != word(NONE));
         if (!any_lane(alive)) return transmittance;
         // Most of what stands in the way is opaque: that is told from the material alone.
@@ -52,8 +52,8 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
 }
 
 /// Share of a light that reaches the lanes of `lit`, whose shadow ray starts at `origin`: of one point, or the mean
-/// over an area's. An area with probes asks those first, spread over it from corner to corner; lanes in which all of
-/// them give the same are done.
+/// over an area's (see area_share). An area with probes asks those first, spread over it from corner to corner; lanes
+/// in which all of them give the same are done.
 FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real distance, mask lit,
                           INOUT(RayCounts) counts) {
     Ray shadow;
@@ -88,15 +88,15 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
                 }
             }
             real3 share = shadow_transmittance(SCENE_ shadow, open, counts);
-            sum = sum + share;
+            float part = area_share(i % steps_u, steps_u) * area_share(i / steps_u, steps_v);
+            sum = sum + share * real(part);
             least = min(least, share);
             most = max(most, share);
         }
-        float per_light = 1.0f / float(steps_u * steps_v);
-        if (!probing) return select(open, is_area ? sum * real(per_light) : sum, result);
+        if (!probing) return select(open, sum, result);
         real3 spread = most - least;
         mask agree = max(spread.x, max(spread.y, spread.z)) < real(0.004f);
-        result = select(mask_and(open, agree), sum * real(per_light), result);
+        result = select(mask_and(open, agree), sum, result);
         open = mask_and(open, mask_not(agree));
         if (!any_lane(open)) return result;
         probing = false;

@@ -37,7 +37,8 @@ FN real3 layer_reflectance(Layer layer, float ior, real3 color, real cos_in, mas
 }
 
 /// Puts the textures of those lanes of `found` that have one into `lobes`, and their layers into `layered`. For a
-/// shadow ray, which goes straight on, nothing is thrown back by total internal reflection.
+/// shadow ray, which goes straight on, nothing is thrown back by total internal reflection or kept by conserve_energy,
+/// as in povray.
 FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool for_shadow, INOUT(Lobes) lobes,
                               OUT(LayerColors) layered) {
     real3 black = real3(real(0.0f));
@@ -67,7 +68,8 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             real3 at = point;
             if (layer.uses_uv != 0u) at = real3(s.uv.x, s.uv.y, real(0.0f));
             PigmentColor c = run_program(SCENE_ layer.program, at);
-            real3 own = above * c.rgb * max(1.0f - c.filtered - c.transmitted, real(0.0f));
+            // Of more than all it lets through, a pigment takes its own colour away: scenes raise contrast by that.
+            real3 own = above * c.rgb * (1.0f - c.filtered - c.transmitted);
             layered.own[l] = select(here, own, layered.own[l]);
             layered.above[l] = select(here, above, layered.above[l]);
             layered.tint[l] = select(here, c.rgb, layered.tint[l]);
@@ -77,7 +79,8 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             real3 r = layer_reflectance(layer, m.ior, c.rgb, cos_in, s.from_behind);
             reflectance = reflectance + above * r;
             above = above * (c.rgb * c.filtered + real3(c.transmitted));
-            if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u) above = above * max(real3(real(1.0f)) - r, black);
+            if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u && !for_shadow)
+                above = above * max(real3(real(1.0f)) - r, black);
         }
         lobes.emission = select(here, emission, lobes.emission);
         lobes.ambient = select(here, ambient, lobes.ambient);

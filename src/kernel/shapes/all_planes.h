@@ -8,9 +8,9 @@
 KERNEL_BEGIN
 
 /// Where a plane is hit nearer than t_max, in the lanes of `alive`; honours back-face culling.
-FN mask hit_plane(SCENE Plane plane, Ray ray, uint ray_kind, mask alive, OUT(real) t) {
+FN mask hit_plane(SCENE Plane plane, Ray ray, word ray_kind, mask alive, OUT(real) t) {
     if (FEATURE(FEATURE_HIDDEN)) {
-        if ((AT(geometries, plane.geometry).hidden_from & ray_kind) != 0u) alive = mask_and(alive, mask_not(alive));
+        alive = mask_and(alive, (ray_kind & word(AT(geometries, plane.geometry).hidden_from)) == word(0u));
     }
     uint instance = AT(geometries, plane.geometry).instance;
     if (instance != NONE) {
@@ -32,7 +32,7 @@ FN mask hit_plane(SCENE Plane plane, Ray ray, uint ray_kind, mask alive, OUT(rea
 }
 
 /// Replaces `hit` by the nearest plane where one is nearer.
-FN void closest_plane(SCENE Ray ray, uint ray_kind, mask alive, INOUT(Hit) hit) {
+FN void closest_plane(SCENE Ray ray, word ray_kind, mask alive, INOUT(Hit) hit) {
     ray.t_max = select(hit.geometry != word(NONE), hit.t, ray.t_max);
     for (uint i = 0u; i < FRAME.plane_count; i = i + 1u) {
         Plane plane = AT(planes, i);
@@ -49,7 +49,7 @@ FN void closest_plane(SCENE Ray ray, uint ray_kind, mask alive, INOUT(Hit) hit) 
 }
 
 /// True where any plane is hit.
-FN mask any_plane(SCENE Ray ray, uint ray_kind, mask alive) {
+FN mask any_plane(SCENE Ray ray, word ray_kind, mask alive) {
     mask blocked = mask_and(alive, mask_not(alive));
     for (uint i = 0u; i < FRAME.plane_count; i = i + 1u) {
         Plane plane = AT(planes, i);

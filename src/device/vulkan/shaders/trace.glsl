@@ -149,7 +149,7 @@ Hit trace(Ray world_ray, uint ray_kind, bool any_will_do) {
     return hit;
 }
 
-Hit trace_closest(Ray ray, bool alive, uint ray_kind) {
+Hit trace_closest(Ray ray, bool alive, uint ray_kind, bool together) {
     if (!alive) return Hit(ray.t_max, 0.0f, 0.0f, NONE, NONE, vec3(0.0f));
     return trace(ray, ray_kind, false);
 }

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <2, 4, -2>, rgb 1 area_light 2*x, 2*z, 6, 5 circular }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.3 } }
+sphere { <-1.2, 0, 0>, 0.8 pigment { rgb <0.9, 0.2, 0.1> } }
+box { <0.3, -1, -0.5>, <1.5, 0.6, 0.9> pigment { rgb <0.2, 0.7, 0.3> } rotate 20*y }
