@@ -7,7 +7,6 @@
 namespace sundog::viewer {
 namespace {
 
-constexpr Vec3 kWorldUp{0, 0, 1};
 constexpr float kSteepest_deg = 89.5F;
 
 Vec3 from_kernel(kernel::vec3 v) { return {v.x, v.y, v.z}; }
@@ -23,7 +22,13 @@ void CameraControl::set_bounds(const Bounds3& bounds) {
     radius_ = half_diagonal > 0 && std::isfinite(half_diagonal) ? half_diagonal : 1;
 }
 
-void CameraControl::follow(const kernel::Camera& scene_camera) {
+void CameraControl::set_up(Vec3 up) {
+    if (length(up) > 0 && std::isfinite(length(up))) world_up_ = normalize(up);
+}
+
+float CameraControl::handedness() const { return dot(cross(right_, center_), up_) < 0 ? -1.0F : 1.0F; }
+
+void CameraControl::follow(const kernel::Camera& scene_camera, bool parallel) {
     if (free_) return;
     eye_ = from_kernel(scene_camera.eye);
     center_ = from_kernel(scene_camera.center);
@@ -33,6 +38,7 @@ void CameraControl::follow(const kernel::Camera& scene_camera) {
     const Vec3 target = bounds_.empty() ? Vec3{} : bounds_.center();
     const float along = dot(target - eye_, normalize(center_));
     pivot_distance_ = along > radius_ * 0.05F ? along : radius_;
+    if (parallel) center_ = normalize(center_) * pivot_distance_;
 }
 
 kernel::Camera CameraControl::camera(float aspect) const {
@@ -47,11 +53,12 @@ Vec3 CameraControl::pivot() const { return eye_ + normalize(center_) * pivot_dis
 void CameraControl::turn(Vec3 about, float yaw_deg, float pitch_deg) {
     free_ = true;
     // Where the camera is upright, it may not tip over the pole; one that already stands on its head may go on.
-    const float elevation_deg = degrees(std::atan2(normalize(center_).z, normalize(up_).z));
+    const float elevation_deg = degrees(std::atan2(dot(normalize(center_), world_up_), dot(normalize(up_), world_up_)));
     if (std::abs(elevation_deg) <= kSteepest_deg) {
         pitch_deg = std::clamp(elevation_deg + pitch_deg, -kSteepest_deg, kSteepest_deg) - elevation_deg;
     }
-    const Affine3 map = rotation(kWorldUp, yaw_deg) * rotation(normalize(right_), pitch_deg);
+    const float hand = handedness();
+    const Affine3 map = rotation(world_up_, hand * yaw_deg) * rotation(normalize(right_), hand * pitch_deg);
     eye_ = about + transform_vector(map, eye_ - about);
     center_ = transform_vector(map, center_);
     right_ = transform_vector(map, right_);
@@ -88,7 +95,7 @@ void CameraControl::fly(FlyDirection direction, float seconds) {
     if (direction == FlyDirection{}) return;
     free_ = true;
     const Vec3 way =
-        normalize(right_) * direction.right + normalize(center_) * direction.forward + kWorldUp * direction.up;
+        normalize(right_) * direction.right + normalize(center_) * direction.forward + world_up_ * direction.up;
     eye_ += way * (radius_ * seconds);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window's camera: the scene's own until the user takes it over, then orbit, look, pan, zoom and fly. Z is up.
+// The window's camera: the scene's own until the user takes it over, then orbit, look, pan, zoom and fly.
 #pragma once
 
 #include "base/vec.h"
@@ -12,7 +12,7 @@ struct MouseMove {
     float dx_px = 0, dy_px = 0;
 };
 
-/// Flying: how far along each axis, each -1 to 1; `up` is the world's Z.
+/// Flying: how far along each axis, each -1 to 1; `up` is the world's.
 struct FlyDirection {
     float right = 0, forward = 0, up = 0;
     friend bool operator==(const FlyDirection&, const FlyDirection&) = default;
@@ -24,8 +24,11 @@ class CameraControl {
 public:
     /// The scene's bounds at rest decide where the pivot lies and how fast one flies; may be empty.
     void set_bounds(const Bounds3& bounds);
-    /// The scene's own camera at this moment; shown until the user takes over.
-    void follow(const kernel::Camera& scene_camera);
+    /// Upwards in the scene, about which yaw turns; z until it is told.
+    void set_up(Vec3 up);
+    /// The scene's own camera at this moment; shown until the user takes over. One of parallel rays becomes a pinhole
+    /// that shows the same around the pivot.
+    void follow(const kernel::Camera& scene_camera, bool parallel = false);
     /// Back to the scene's own camera.
     void go_home() { free_ = false; }
     /// True once the user has moved the camera.
@@ -49,10 +52,13 @@ public:
 
 private:
     void turn(Vec3 about, float yaw_deg, float pitch_deg);
+    /// 1 where right, forward and up are a right-handed system, -1 in one seen in a mirror (POV-Ray's).
+    [[nodiscard]] float handedness() const;
 
     bool free_ = false;
     Bounds3 bounds_;
     float radius_ = 1;
+    Vec3 world_up_{0, 0, 1};
     Vec3 eye_, center_{0, 1, 0}, right_{1, 0, 0}, up_{0, 0, 1};
     float pivot_distance_ = 1;  // along the view axis
 };

@@ -51,6 +51,36 @@ TEST(CameraControl, StartsFromTheScenesCameraWithoutAJump) {
     expect_near(host(after.up), host(before.up), 1e-5F);
 }
 
+// POV-Ray's axes: x to the right, y up, z forwards, which is a left-handed system.
+kernel::Camera pov_camera() { return {{0, 0, -10}, {0, 0, 1}, {1.5F, 0, 0}, {0, 1, 0}}; }
+
+// Catches controls that work the wrong way round, or roll the picture, in scenes whose up is y.
+TEST(CameraControl, TurnsTheSameWayWhereYIsUp) {
+    CameraControl control = control_of(pov_camera());
+    control.set_up({0, 1, 0});
+    control.orbit({120, 0}, 480);
+    expect_near(host(control.camera(1).up), {0, 1, 0}, 1e-5F);
+    EXPECT_LT(host(control.camera(1).eye).x, -1) << "what is in front follows the mouse to the right";
+    control.orbit({0, 60}, 480);
+    EXPECT_GT(host(control.camera(1).eye).y, 1) << "what is in front follows the mouse down: the eye rises";
+    control.fly({0, 0, 1}, 1);
+    EXPECT_GT(host(control.camera(1).eye).y, 2);
+}
+
+// Catches a camera of parallel rays that jumps to another size when the user takes it over.
+TEST(CameraControl, ParallelRaysBecomeAPinholeThatShowsTheSame) {
+    CameraControl control;
+    Bounds3 bounds;
+    bounds.include(Vec3{-1, -1, -1});
+    bounds.include(Vec3{1, 1, 1});
+    control.set_bounds(bounds);
+    control.follow({{0, 0, -10}, {0, 0, 1}, {4, 0, 0}, {0, 3, 0}}, true);
+    control.pan({0, 0}, 480);
+    const Vec2 place = seen_at(control.camera(4.0F / 3), {4, 3, 0});
+    EXPECT_NEAR(place.x, 1, 1e-5F);
+    EXPECT_NEAR(place.y, -1, 1e-5F);
+}
+
 // Catches an orbit that changes the distance, lets the pivot wander over the picture, or turns the wrong way.
 TEST(CameraControl, OrbitTurnsAboutThePivot) {
     CameraControl control = control_of(front_camera());

@@ -204,6 +204,8 @@ void Viewer::pick_at(Vec2 window_position) {
 void Viewer::use_scene(std::shared_ptr<const LoadedScene> scene) {
     scene_ = std::move(scene);
     camera_.set_bounds(scene_->compiled->bounds);
+    if (scene_->scene.projection_camera) camera_.set_up(to_float(scene_->scene.projection_camera->sky));
+    else camera_.set_up({0, 0, 1});
     const kernel::FrameParams defaults = scene_defaults(*scene_);
     status_.scene_max_depth = static_cast<int>(defaults.max_depth);
     status_.scene_shadows = (defaults.features & kernel::FEATURE_SHADOWS) != 0;
@@ -225,8 +227,15 @@ void Viewer::submit() {
     frame.max_depth = controls_.max_depth;
     frame.min_weight = options_.min_weight;
     frame.shadows = controls_.shadows;
-    camera_.follow(camera_at(scene_->scene.camera, frame.time_s, aspect));
-    frame.camera = camera_.camera(aspect);
+    if (const auto& own = scene_->scene.projection_camera) {
+        using Kind = scene::ProjectionCamera::Kind;
+        camera_.follow(camera_at(*own, aspect), own->kind == Kind::orthographic);
+        // Until the user takes over, other kinds than a pinhole are the scene's business.
+        if (camera_.is_free() || own->kind == Kind::perspective) frame.camera = camera_.camera(aspect);
+    } else {
+        camera_.follow(camera_at(scene_->scene.camera, frame.time_s, aspect));
+        frame.camera = camera_.camera(aspect);
+    }
     renderer_.submit(std::move(request));
 }
 
