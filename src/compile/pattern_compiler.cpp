@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <string>
+#include <vector>
 
 #include "base/diagnostics.h"
 #include "compile/convert.h"
@@ -51,6 +54,27 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
 
 bool reflects(const scene::Finish& f) { return !(f.reflection_min == Vec3{} && f.reflection_max == Vec3{}); }
 
+std::uint32_t normal_kind(scene::PatternNormal::Kind kind) {
+    using Kind = scene::PatternNormal::Kind;
+    switch (kind) {
+        case Kind::pattern:
+            return kernel::NORMAL_PATTERN;
+        case Kind::image:
+            return kernel::NORMAL_IMAGE;
+        case Kind::bumps:
+            return kernel::NORMAL_BUMPS;
+        case Kind::dents:
+            return kernel::NORMAL_DENTS;
+        case Kind::wrinkles:
+            return kernel::NORMAL_WRINKLES;
+        case Kind::ripples:
+            return kernel::NORMAL_RIPPLES;
+        case Kind::waves:
+            return kernel::NORMAL_WAVES;
+    }
+    return kernel::NORMAL_BUMPS;
+}
+
 kernel::Fog kernel_fog(const scene::Fog& fog) {
     kernel::Fog out{};
     out.ground = fog.ground ? 1 : 0;
@@ -70,6 +94,41 @@ std::uint32_t PatternCompiler::program_of(const Pigment& pigment) {
     return start;
 }
 
+std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
+    // The programs that the list names go before it.
+    std::vector<std::array<std::uint32_t, 2>> programs;
+    for (const scene::PatternNormal& part : normal.parts)
+        programs.push_back({part.weight ? program_of(*part.weight) : kernel::NONE,
+                            part.height ? program_of(*part.height) : kernel::NONE});
+    const auto start = static_cast<std::uint32_t>(out_.code.size());
+    const auto put = [&](double value) {
+        out_.code.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+    };
+    const auto put_vector = [&](const Vec3d& v) { put(v.x), put(v.y), put(v.z); };
+    out_.code.push_back(static_cast<std::uint32_t>(normal.parts.size()));
+    for (std::size_t i = 0; i < normal.parts.size(); ++i) {
+        const scene::PatternNormal& part = normal.parts[i];
+        const scene::Pattern& pattern = part.pattern;
+        using Kind = scene::PatternNormal::Kind;
+        out_.code.push_back(programs[i][0]);
+        out_.code.push_back(normal_kind(part.kind));
+        put(part.amount);
+        out_.code.push_back(part.keeps_depth ? 1 : 0);
+        out_.code.push_back(part.kind == Kind::dents ? static_cast<std::uint32_t>(pattern.noise_generator)
+                                                     : programs[i][1]);
+        if (part.kind == Kind::pattern) put(std::max(part.accuracy, 1e-5)), put(0);
+        else if (part.kind == Kind::image) put(part.texel_u), put(part.texel_v);
+        else put(pattern.frequency), put(pattern.phase);
+        const bool stirred = !(pattern.turbulence == Vec3d{});
+        put(pattern.lambda), put(pattern.omega);
+        out_.code.push_back(stirred ? static_cast<std::uint32_t>(std::clamp(pattern.octaves, 1, 10)) : 0);
+        const Affine3d& m = pattern.pattern_from_texture;
+        put_vector(m.x), put_vector(m.y), put_vector(m.z), put_vector(m.t);
+        put_vector(pattern.turbulence);
+    }
+    return start;
+}
+
 const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material& material) {
     const scene::LayeredTexture& texture = *material.patterned->texture;
     const auto [found, is_new] = compiled_.try_emplace(&texture);
@@ -85,6 +144,11 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
     layers.transparent = true;  // as long as every layer over another lets light through
     for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
         out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment)));
+        out_.layers.back().normal = kernel::NONE;
+        if (layer->normal) {
+            out_.layers.back().normal = normals_of(*layer->normal);
+            out_.layers.back().normal_uses_uv = layer->normal->uv_mapping ? 1 : 0;
+        }
         layers.transparent = layers.transparent && lets_light_through(*layer->pigment, scene_.textures);
         layers.reflective = layers.reflective || reflects(layer->finish);
     }
@@ -139,8 +203,12 @@ std::uint32_t pattern_features(const RenderScene& scene, const kernel::Material&
     if ((material.flags & kernel::MATERIAL_PATTERNED) == 0) return 0;
     const kernel::PatternedMaterial& patterned = scene.patterned[material.patterned];
     std::uint32_t features = kernel::FEATURE_PATTERNED;
-    for (std::uint32_t i = 0; i < patterned.layer_count; ++i)
-        if (scene.layers[patterned.first_layer + i].uses_uv != 0) features |= kernel::FEATURE_TEXTURES;
+    for (std::uint32_t i = 0; i < patterned.layer_count; ++i) {
+        const kernel::Layer& layer = scene.layers[patterned.first_layer + i];
+        if (layer.normal != kernel::NONE) features |= kernel::FEATURE_NORMALS;
+        if (layer.uses_uv != 0 || (layer.normal != kernel::NONE && layer.normal_uses_uv != 0))
+            features |= kernel::FEATURE_TEXTURES;
+    }
     return features;
 }
 

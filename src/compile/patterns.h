@@ -30,6 +30,8 @@ private:
     };
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment);
+    /// A list of normals, into `code`.
+    std::uint32_t normals_of(const scene::Normal& normal);
 
     const scene::Scene& scene_;
     RenderScene& out_;

@@ -29,8 +29,9 @@ bool uses_uv(const scene::Material& material) {
     }
     if (!material.patterned->texture) return false;
     const std::vector<scene::TextureLayer>& layers = material.patterned->texture->layers;
-    return std::any_of(layers.begin(), layers.end(),
-                       [](const scene::TextureLayer& layer) { return uses_uv(layer.pigment.get()); });
+    return std::any_of(layers.begin(), layers.end(), [](const scene::TextureLayer& layer) {
+        return uses_uv(layer.pigment.get()) || (layer.normal && layer.normal->uv_mapping);
+    });
 }
 
 /// The factor by which a map scales all lengths alike; 0 if it doesn't.

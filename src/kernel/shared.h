@@ -123,6 +123,18 @@ KERNEL_CONST uint CHOICE_SQUARE = 3u;
 KERNEL_CONST uint CHOICE_TRIANGULAR = 4u;
 KERNEL_CONST uint CHOICE_CUBIC = 5u;
 
+/// Lists of normals in `code`: their count, then NORMAL_WORDS each: weight program (NONE: 1), NORMAL_* kind, amount, 1
+/// if scaling leaves depths alone (no_bump_scale), a program or number of the kind's, two floats of the kind's,
+/// turbulence's lambda, omega and octaves (0: none), pattern_from_texture (columns x, y, z, t), turbulence's amounts.
+KERNEL_CONST uint NORMAL_WORDS = 25u;
+KERNEL_CONST uint NORMAL_PATTERN = 0u;  ///< Height program; step of differences.
+KERNEL_CONST uint NORMAL_IMAGE = 1u;    ///< Height program; a texel's width and height.
+KERNEL_CONST uint NORMAL_BUMPS = 2u;
+KERNEL_CONST uint NORMAL_DENTS = 3u;  ///< Noise generator.
+KERNEL_CONST uint NORMAL_WRINKLES = 4u;
+KERNEL_CONST uint NORMAL_RIPPLES = 5u;  ///< Frequency, phase.
+KERNEL_CONST uint NORMAL_WAVES = 6u;    ///< Frequency, phase.
+
 /// Wave forms of OP_WAVE.
 KERNEL_CONST uint WAVE_RAMP = 0u;
 KERNEL_CONST uint WAVE_TRIANGLE = 1u;
@@ -160,6 +172,7 @@ KERNEL_CONST uint FEATURE_PATTERNED = 1024u;     ///< Some material is a texture
 KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog or a sky sphere.
 KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
+KERNEL_CONST uint FEATURE_NORMALS = 1048576u;    ///< Some layer's normal is bent by patterns.
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
@@ -263,6 +276,8 @@ struct Layer {
     uint program;  ///< Into `code`.
     uint flags;    ///< LAYER_*
     uint uses_uv;  ///< 1: the pigment is looked up at (u, v, 0).
+    uint normal;   ///< Into `code`: a list of normals; NONE: the surface's own.
+    uint normal_uses_uv;
     vec3 ambient;  ///< Times FrameParams::ambient.
     vec3 emission;
     float diffuse, diffuse_back, brilliance;

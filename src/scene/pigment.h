@@ -117,6 +117,25 @@ struct Pigment {
     PigmentColor quick_color;  ///< At quality 5 and lower.
 };
 
+/// How a pattern bends a surface's normal (section 3.4.6.2 "Normal"), or a share of such a normal.
+struct PatternNormal {
+    enum class Kind : std::uint8_t { pattern, image, bumps, dents, wrinkles, ripples, waves };
+    Kind kind = Kind::bumps;
+    Pattern pattern;  ///< Where it lies, its turbulence; frequency and phase of ripples and waves.
+    std::shared_ptr<const Pigment> height;  ///< pattern, image: its grey, asked at the pattern's own point.
+    double texel_u = 0, texel_v = 0;        ///< image: a texel's size.
+    float amount = 0.5F;
+    double accuracy = 0.02;                 ///< pattern: the distance over which its slope is found.
+    bool keeps_depth = false;               ///< Scaling changes how steep it is (no_bump_scale), not how deep.
+    std::shared_ptr<const Pigment> weight;  ///< Its share of the sum, red of this pigment; null: 1.
+};
+
+/// A sum of bent normals, made unit.
+struct Normal {
+    std::vector<PatternNormal> parts;
+    bool uv_mapping = false;
+};
+
 /// How a surface answers to light (section 3.5.4 "Finish"). Colours linear.
 struct Finish {
     Vec3 ambient{0.1F, 0.1F, 0.1F};
@@ -138,6 +157,7 @@ struct Finish {
 struct TextureLayer {
     std::shared_ptr<const Pigment> pigment;
     Finish finish;
+    std::shared_ptr<const Normal> normal = nullptr;  ///< Null: the surface's own.
 };
 
 /// What is inside a solid (section 3.5.7 "Interior").

@@ -82,6 +82,11 @@ UniformValues uniforms_for(std::uint32_t function, Random& random) {
             u.v[12] = std::floor(random.between(0, 1.99F));
             u.v[13] = random.between(0.5F, 4);
             break;
+        case CALL_NORMAL:  // those that don't run a program
+            u.v[12] = std::floor(random.between(NORMAL_BUMPS, NORMAL_WAVES + 0.99F));
+            u.v[13] = random.between(0.3F, 3);
+            u.v[14] = random.between(0, 1);
+            break;
         case CALL_PROJECTION:
             u.v[12] = std::floor(random.between(0, CAMERA_SPHERICAL + 0.99F));
             u.v[13] = random.between(0.5F, 5);
@@ -117,7 +122,8 @@ CallValues varying_for(std::uint32_t function, Random& random) {
     if (function >= CALL_FIRST_PROCEDURAL) {
         if (function == CALL_FOG) put_ray(random, a);
         if (function == CALL_SINE) a[0] = random.between(-1000, 1000);
-        if (function == CALL_FIELD || function == CALL_CHOICE || function == CALL_LIGHT_SHARE)
+        if (function == CALL_FIELD || function == CALL_CHOICE || function == CALL_LIGHT_SHARE ||
+            function == CALL_NORMAL)
             for (std::size_t i = 0; i < 3; ++i) a[i] *= 4;
     } else if (function >= CALL_FIRST_SURFACE) {
         put_surface(random, a);
@@ -180,7 +186,8 @@ std::vector<FunctionCase> function_cases() {
             {"area_light", CALL_AREA_LIGHT, 1e-4F, 1e-5F, true},
             {"fog", CALL_FOG, 1e-3F, 1e-4F},
             {"layer", CALL_LAYER, 1e-3F, 1e-4F, true},
-            {"projection", CALL_PROJECTION, 1e-4F, 1e-5F, true}};
+            {"projection", CALL_PROJECTION, 1e-4F, 1e-5F, true},
+            {"normal", CALL_NORMAL, 1e-4F, 1e-4F}};
 }
 
 Arguments random_arguments(const FunctionCase& function, std::size_t batches) {

@@ -227,7 +227,7 @@ FN Varying call_surface(SCENE uint function, Varying a) {
 }
 
 /// The functions that procedural scenes add. u.v[12] to [17] choose kinds, counts and exponents.
-FN Varying call_procedural(uint function, UniformValues u, Varying a) {
+FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
     Varying r = a;
     uint kind = uint(u.v[12]);
     real3 p = vector_of(a, 0u);
@@ -289,6 +289,7 @@ FN Varying call_procedural(uint function, UniformValues u, Varying a) {
         put(r, 0u, layer_reflectance(layer, 1.5f, abs(p), abs(a.v[3]), a.v[4] > real(0.0f)));
         put(r, 3u, metallic_tint(abs(p), real(0.75f), abs(a.v[3])));
     }
+    if (function == CALL_NORMAL) put(r, 0u, normal_offset(SCENE_ kind, p, 2u, u.v[13], u.v[14]));
     if (function == CALL_PROJECTION) {
         FrameParams frame_params;
         frame_params.camera.eye = vector_of(u, 0u);
@@ -315,7 +316,7 @@ FN Varying call_kernel(SCENE uint function, UniformValues u, Varying a) {
     if (function < CALL_FIRST_PATTERN) return call_camera(function, u, a);
     if (function < CALL_FIRST_SURFACE) return call_pattern(SCENE_ function, a);
     if (function < CALL_FIRST_PROCEDURAL) return call_surface(SCENE_ function, a);
-    return call_procedural(function, u, a);
+    return call_procedural(SCENE_ function, u, a);
 }
 
 KERNEL_END

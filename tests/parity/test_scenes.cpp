@@ -185,6 +185,25 @@ scene::Material layers(std::vector<scene::TextureLayer> list, scene::Interior in
     return material;
 }
 
+/// A slope found by differences and one by formula, chosen by squares.
+std::shared_ptr<const scene::Normal> bent_normal() {
+    using Kind = scene::Pattern::Kind;
+    auto normal = std::make_shared<scene::Normal>();
+    for (std::size_t i = 0; i < 2; ++i) {
+        scene::PatternNormal& part = normal->parts.emplace_back();
+        part.kind = i == 0 ? scene::PatternNormal::Kind::pattern : scene::PatternNormal::Kind::ripples;
+        if (i == 0)
+            part.height = pattern(scene::Pigment::Kind::mapped, Kind::onion,
+                                  {entry(0, {0, 0, 0, 0, 0}), entry(1, {1, 1, 1, 0, 0})});
+        part.pattern.pattern_from_texture.x = {2, 0.5, 0};
+        part.pattern.turbulence = {0.1, 0, 0};
+        part.weight =
+            pattern(scene::Pigment::Kind::choice, Kind::checker,
+                    {entry(0, {i == 0 ? 1.0F : 0.0F, 0, 0, 0, 0}), entry(0, {i == 1 ? 1.0F : 0.0F, 0, 0, 0, 0})});
+    }
+    return normal;
+}
+
 /// Patterns with and without noise, layers, glass that fades, shaped lights, fog and sky.
 Scene procedural() {
     using scene::Pattern;
@@ -211,8 +230,8 @@ Scene procedural() {
     const auto picture = std::make_shared<Pigment>();
     picture->kind = Pigment::Kind::image;
     picture->image.smooth = true;
-    scene.materials[0] = layers({{bricks, finish}});
-    scene.materials[1] = layers({{waves, finish}, {veil, {}}});
+    scene.materials[0] = layers({{bricks, finish, bent_normal()}});
+    scene.materials[1] = layers({{waves, finish}, {veil, {}, bent_normal()}});
     scene::Interior interior;
     interior.ior = 1.4F;
     interior.fade_distance = 1;

@@ -115,11 +115,11 @@ bool read_image_modifier(ItemReader& items, scene::ImageMap& image) {
     }
 }
 
-scene::ImageMap read_image_map(BuildContext& context, const Block& block) {
+scene::ImageMap read_image_map(BuildContext& context, const Block& block, ImageUse use) {
     ItemReader items(context, block);
     scene::ImageMap image;
     if (const auto base = items.take_block(block.keyword)) {
-        image = read_image_map(context, *base);
+        image = read_image_map(context, *base, use);
     } else if (items.value_follows() || items.take_function()) {
         while (items.value_follows() || items.take_function())
             if (items.value_follows()) items.skip();
@@ -128,7 +128,7 @@ scene::ImageMap read_image_map(BuildContext& context, const Block& block) {
         image.texture = scene::missing_texture(context.scene);
     } else {
         const ImageName name = read_image_name(items);
-        image.texture = texture_of(context, name, is_srgb(context, block, name));
+        image.texture = texture_of(context, name, use == ImageUse::color && is_srgb(context, block, name));
     }
     while (!items.at_end()) {
         static constexpr std::array kValid{Keyword::once,     Keyword::map_type,  Keyword::interpolate, Keyword::filter,

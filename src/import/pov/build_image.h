@@ -2,6 +2,7 @@
 // Image files in scenes (POV-Ray reference, section 3.4.7.6 "Image Map").
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -24,7 +25,11 @@ ImageName read_image_name(ItemReader& items);
 /// Takes the modifiers that image maps share (once, map_type, interpolate, …). False if none follows.
 bool read_image_modifier(ItemReader& items, scene::ImageMap& image);
 
-/// The image of an `image_map { }`. A missing or damaged file is a warning, and magenta squares.
-scene::ImageMap read_image_map(BuildContext& context, const Block& block);
+/// What an image's numbers mean: colours, which files store encoded, or heights and the like, which they store as they
+/// are.
+enum class ImageUse : std::uint8_t { color, data };
+
+/// The image of an `image_map { }` or `bump_map { }`. A missing or damaged file is a warning, and magenta squares.
+scene::ImageMap read_image_map(BuildContext& context, const Block& block, ImageUse use = ImageUse::color);
 
 }  // namespace sundog::pov

@@ -6,10 +6,11 @@
 namespace sundog::pov {
 namespace {
 
-/// True if moving the texture changes how it looks: some layer's pigment follows space, not uv coordinates.
+/// True if moving the texture changes how it looks: some layer's pigment or normal follows space, not uv coordinates.
 bool follows_space(const scene::LayeredTexture& texture) {
     return std::any_of(texture.layers.begin(), texture.layers.end(), [](const scene::TextureLayer& layer) {
-        return layer.pigment->kind != scene::Pigment::Kind::solid && !layer.pigment->uv_mapping;
+        return (layer.pigment->kind != scene::Pigment::Kind::solid && !layer.pigment->uv_mapping) ||
+               (layer.normal && !layer.normal->uv_mapping);
     });
 }
 

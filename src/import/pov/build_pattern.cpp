@@ -131,7 +131,7 @@ void read_parameters(ItemReader& items, Keyword keyword, scene::Pattern& pattern
 }
 
 void warn_of_kind(ItemReader& items, Keyword keyword, Kind kind) {
-    if (is_drawn(kind)) return;
+    if (is_drawn(kind) || (kind == Kind::average && items.keyword() == Keyword::normal)) return;
     const std::string name(spelling(keyword));
     items.context().warn_once("pattern " + name, items.taken_where(), "pattern '" + name + "' isn't drawn yet",
                               "its surfaces get one colour of its map");
@@ -190,7 +190,6 @@ std::optional<Wave> wave_of(Keyword keyword) {
 /// Parameters of patterns that aren't drawn yet, and of how they are computed.
 bool skip_modifier(ItemReader& items, Keyword keyword) {
     switch (keyword) {
-        case Keyword::accuracy:
         case Keyword::control0:
         case Keyword::control1:
         case Keyword::coords:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
 #include "import/pov/build_pigment.h"
 #include "import/pov/build_texture_map.h"
@@ -39,10 +40,32 @@ std::string key_of(const LayeredTexture& texture) {
     return key;
 }
 
+void set_uv_mapping(TextureLayer& layer) {
+    auto pigment = std::make_shared<Pigment>(*layer.pigment);
+    pigment->uv_mapping = true;
+    layer.pigment = std::move(pigment);
+    if (!layer.normal) return;
+    auto normal = std::make_shared<scene::Normal>(*layer.normal);
+    normal->uv_mapping = true;
+    layer.normal = std::move(normal);
+}
+
+void keep_depth(TextureLayer& layer) {
+    if (!layer.normal) return;
+    auto normal = std::make_shared<scene::Normal>(*layer.normal);
+    for (scene::PatternNormal& part : normal->parts) part.keeps_depth = true;
+    layer.normal = std::move(normal);
+}
+
 }  // namespace
 
 void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
     for (TextureLayer& layer : texture.layers) {
+        if (layer.normal) {
+            auto normal = std::make_shared<scene::Normal>(*layer.normal);
+            move_normal(*normal, old_from_new);
+            layer.normal = std::move(normal);
+        }
         if (!is_positional(*layer.pigment)) continue;
         auto moved = std::make_shared<Pigment>(*layer.pigment);
         move_pigment(*moved, old_from_new);
@@ -52,7 +75,7 @@ void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
 
 bool is_positional(const LayeredTexture& texture) {
     return std::any_of(texture.layers.begin(), texture.layers.end(),
-                       [](const TextureLayer& layer) { return is_positional(*layer.pigment); });
+                       [](const TextureLayer& layer) { return layer.normal || is_positional(*layer.pigment); });
 }
 
 /// Reads one `texture { }`.
@@ -76,7 +99,10 @@ public:
         }
         if (!changed_ && !base_) return owner_.default_texture(block_);
         move_texture(own_, inverse(parts_.texture_from_pattern));
-        if (uv_mapping_) set_uv_mapping();
+        if (uv_mapping_)
+            for (TextureLayer& layer : own_.layers) set_uv_mapping(layer);
+        if (keeps_depth_)
+            for (TextureLayer& layer : own_.layers) keep_depth(layer);
         TexturePointer result = owner_.shared(std::move(own_));
         if (interior_) owner_.old_interiors_[result] = std::make_shared<const scene::Interior>(*interior_);
         return result;
@@ -92,8 +118,8 @@ private:
         } else if (const auto finish = items_.take_block(Keyword::finish)) {
             take_finish(*finish);
         } else if (const auto normal = items_.take_block(Keyword::normal)) {
-            owner_.warn_of_normal(*normal);
-            top();
+            TextureLayer& layer = top();
+            layer.normal = read_normal(context_, *normal, layer.normal);
         } else if (const auto map = items_.take_block(Keyword::texture_map)) {
             read_map(*map);
         } else if (const auto materials = items_.take_block(Keyword::material_map)) {
@@ -102,6 +128,8 @@ private:
             read_tiles(*tiles);
         } else if (items_.take(Keyword::uv_mapping)) {
             if (items_.flag()) top(), uv_mapping_ = true;
+        } else if (items_.take(Keyword::no_bump_scale)) {
+            if (items_.flag()) top(), keeps_depth_ = true;
         } else {
             read_pattern();
         }
@@ -128,14 +156,6 @@ private:
         const FinishParts parts = read_finish(context_, block, {top().finish, {}, false});
         own_.layers.back().finish = parts.finish;
         if (parts.has_interior) interior_ = parts.interior;
-    }
-
-    void set_uv_mapping() {
-        for (TextureLayer& layer : own_.layers) {
-            auto pigment = std::make_shared<Pigment>(*layer.pigment);
-            pigment->uv_mapping = true;
-            layer.pigment = std::move(pigment);
-        }
     }
 
     void read_map(const Block& map) {
@@ -219,15 +239,11 @@ private:
     TexturePointer base_;  // Of an identifier, as long as nothing changes it.
     LayeredTexture own_;
     bool changed_ = false;
-    bool uv_mapping_ = false;
+    bool uv_mapping_ = false, keeps_depth_ = false;
     PatternParts parts_;
     std::vector<TextureEntry> entries_;
     std::optional<scene::Interior> interior_;
 };
-
-void TextureReader::warn_of_normal(const Block& block) {
-    context_.warn_once("normal", block.where, "normal { } isn't drawn yet", "surfaces stay smooth");
-}
 
 TexturePointer TextureReader::shared(LayeredTexture texture) {
     std::string key = key_of(texture);
@@ -262,7 +278,7 @@ DefaultTexture TextureReader::read_defaults(const Block& block) {
         } else if (const auto finish = items.take_block(Keyword::finish)) {
             result.layer.finish = read_finish(context_, *finish, {result.layer.finish, {}, false}).finish;
         } else if (const auto normal = items.take_block(Keyword::normal)) {
-            warn_of_normal(*normal);
+            result.layer.normal = read_normal(context_, *normal, result.layer.normal);
         } else if (!items.take_block(Keyword::camera)) {
             static constexpr std::array kValid{Keyword::texture, Keyword::pigment, Keyword::normal, Keyword::finish,
                                                Keyword::camera};
@@ -286,14 +302,14 @@ const DefaultTexture& TextureReader::defaults_of(const Block& owner) {
 TexturePointer TextureReader::default_texture(const Block& owner) { return defaults_of(owner).texture; }
 
 TexturePointer TextureReader::changed(TexturePointer texture, const Block& block, const Block& owner) {
-    if (block.keyword == Keyword::normal) {
-        warn_of_normal(block);
-        return texture ? texture : default_texture(owner);
-    }
     LayeredTexture result = texture ? *texture : LayeredTexture{{defaults_of(owner).layer}};
     TextureLayer& layer = result.layers.back();
     if (block.keyword == Keyword::pigment) {
         layer.pigment = std::make_shared<const Pigment>(read_pigment(context_, block, *layer.pigment));
+        return shared(std::move(result));
+    }
+    if (block.keyword == Keyword::normal) {
+        layer.normal = read_normal(context_, block, layer.normal);
         return shared(std::move(result));
     }
     const FinishParts parts = read_finish(context_, block, {layer.finish, {}, false});
@@ -313,11 +329,7 @@ TexturePointer TextureReader::layered(const TexturePointer& under, const Texture
 TexturePointer TextureReader::uv_mapped(const TexturePointer& texture) {
     if (!texture || !is_positional(*texture)) return texture;
     auto result = std::make_shared<LayeredTexture>(*texture);
-    for (TextureLayer& layer : result->layers) {
-        auto pigment = std::make_shared<Pigment>(*layer.pigment);
-        pigment->uv_mapping = true;
-        layer.pigment = std::move(pigment);
-    }
+    for (TextureLayer& layer : result->layers) set_uv_mapping(layer);
     return result;
 }
 
@@ -344,6 +356,8 @@ MaterialParts TextureReader::read_material(const std::shared_ptr<const Block>& b
             parts.texture = changed(parts.texture, *pigment, *block);
         } else if (const auto finish = items.take_block(Keyword::finish)) {
             parts.texture = changed(parts.texture, *finish, *block);
+        } else if (const auto normal = items.take_block(Keyword::normal)) {
+            parts.texture = changed(parts.texture, *normal, *block);
         } else {
             Affine3d moved_from_old;
             if (!read_transform(items, moved_from_old)) {

@@ -63,7 +63,6 @@ private:
     DefaultTexture read_defaults(const Block& block);
     /// The one pointer for all textures equal to this one, if it is plain; else a new one.
     TexturePointer shared(scene::LayeredTexture texture);
-    void warn_of_normal(const Block& block);
 
     BuildContext& context_;
     using WeakBlock = std::weak_ptr<const Block>;

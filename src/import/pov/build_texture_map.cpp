@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
 #include "import/pov/build_pigment.h"
 
@@ -57,9 +58,11 @@ scene::LayeredTexture blend_textures(BuildContext& context, Place where, const s
         pigment->pattern = pattern;
         pigment->kind = choice_count(pattern.kind) > 0 ? scene::Pigment::Kind::choice : scene::Pigment::Kind::mapped;
         std::vector<Finish> finishes;
+        std::vector<NormalEntry> normals;
         for (const TextureEntry& entry : entries) {
             const bool has_layer = i < entry.texture->layers.size();
             pigment->entries.push_back({entry.at, {}, has_layer ? entry.texture->layers[i].pigment : clear_pigment()});
+            normals.push_back({entry.at, has_layer ? entry.texture->layers[i].normal : nullptr});
             if (has_layer) finishes.push_back(entry.texture->layers[i].finish);
         }
         sort_entries(pigment->entries);
@@ -68,7 +71,8 @@ scene::LayeredTexture blend_textures(BuildContext& context, Place where, const s
         if (!equal)
             context.warn_once("texture_map finishes", where, "the finishes of a texture's parts are averaged",
                               "pigments are drawn as written");
-        result.layers.push_back({std::move(pigment), equal ? finishes.front() : mean(finishes)});
+        result.layers.push_back({std::move(pigment), equal ? finishes.front() : mean(finishes),
+                                 blend_normals(pattern, std::move(normals))});
     }
     return result;
 }

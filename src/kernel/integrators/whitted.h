@@ -49,7 +49,10 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
         real3 to_light = direction_to_light(light, s.position, distance);
         real cosine = dot(s.normal, to_light);
         // No shadow ray where the light is behind the surface: behind the face, or behind the smoothed one.
-        mask lit = mask_and(alive, mask_and(cosine > real(0.0f), dot(s.geometric_normal, to_light) > real(0.0f)));
+        mask faces = cosine > real(0.0f);
+        // Layers have normals of their own, which may turn to a light that the surface's turns from.
+        if (FEATURE(FEATURE_NORMALS)) faces = mask_or(faces, lobes.patterned);
+        mask lit = mask_and(alive, mask_and(faces, dot(s.geometric_normal, to_light) > real(0.0f)));
         if (any_lane(lit)) {
             real3 light_color = real3(light.color);
             if (FEATURE(FEATURE_LIGHT_SHAPES)) {
@@ -131,6 +134,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             if (FEATURE(FEATURE_PATTERNED)) {
                 path.weight = path.weight * inside_transmittance(SCENE_ s, hit.t, found);
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
+                // Which way light is mirrored and refracted.
+                if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
             }
             real3 base;
             real3 highlight;

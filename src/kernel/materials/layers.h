@@ -5,6 +5,7 @@
 #define SUNDOG_KERNEL_MATERIALS_LAYERS_H
 
 #include "kernel/materials/material.h"
+#include "kernel/materials/normal.h"
 #include "kernel/patterns/program.h"
 
 KERNEL_BEGIN
@@ -14,6 +15,9 @@ struct LayerColors {
     real3 own[MAX_LAYERS];    ///< The pigment's share that doesn't let light through, as seen through the layers above.
     real3 above[MAX_LAYERS];  ///< What the layers above let through.
     real3 tint[MAX_LAYERS];   ///< The pigment: metals colour their highlights by it.
+    real3 normal[MAX_LAYERS];  ///< If FEATURE_NORMALS: unit, world space.
+    real3 mirror;  ///< The normal of the layer that reflects most, else the top one's; the surface's own for
+                   ///< lanes without layers.
 };
 
 /// How a metal tints what it reflects: by its colour, but white at grazing incidence (Schlick 1994).
@@ -46,7 +50,9 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         layered.own[l] = black;
         layered.above[l] = black;
         layered.tint[l] = black;
+        if (FEATURE(FEATURE_NORMALS)) layered.normal[l] = s.normal;
     }
+    layered.mirror = s.normal;
     word index = FIELD(materials, s.material, patterned);
     mask todo = mask_and(found, lobes.patterned);
     real cos_in = -dot(s.normal, incoming);
@@ -63,6 +69,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         real3 ambient = black;
         real3 albedo = black;
         real3 reflectance = black;
+        real strongest = real(0.0f);
         for (uint l = 0u; l < m.layer_count; l = l + 1u) {
             Layer layer = AT(layers, m.first_layer + l);
             real3 at = point;
@@ -76,7 +83,29 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             emission = emission + own * real3(layer.emission);
             ambient = ambient + own * real3(layer.ambient);
             albedo = albedo + own * real(layer.diffuse);
-            real3 r = layer_reflectance(layer, m.ior, c.rgb, cos_in, s.from_behind);
+            real cos_layer = cos_in;
+            if (FEATURE(FEATURE_NORMALS)) {
+                real3 n = s.normal;
+                if (layer.normal != NONE && !for_shadow) {
+                    real3 placed = point;
+                    if (layer.normal_uses_uv != 0u) placed = real3(s.uv.x, s.uv.y, real(0.0f));
+                    n = perturbed_normal(SCENE_ layer.normal, placed, m.texture_from_world_x, m.texture_from_world_y,
+                                         m.texture_from_world_z, n);
+                }
+                layered.normal[l] = select(here, n, layered.normal[l]);
+                cos_layer = -dot(n, incoming);
+            }
+            real3 r = layer_reflectance(layer, m.ior, c.rgb, cos_layer, s.from_behind);
+            if (FEATURE(FEATURE_NORMALS)) {
+                real3 weight = above * r;
+                real most = max(weight.x, max(weight.y, weight.z));
+                mask stronger = mask_and(here, most > strongest);
+                if (l == 0u) stronger = here;
+                // One that is bent away from the ray can't say where it goes on to.
+                mask away = dot(layered.normal[l], incoming) >= real(0.0f);
+                layered.mirror = select(stronger, select(away, s.normal, layered.normal[l]), layered.mirror);
+                strongest = select(stronger, most, strongest);
+            }
             reflectance = reflectance + above * r;
             above = above * (c.rgb * c.filtered + real3(c.transmitted));
             if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u && !for_shadow)
@@ -87,7 +116,9 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         lobes.albedo = select(here, albedo, lobes.albedo);
         // Total internal reflection throws back all that would have passed.
         real eta = select(s.from_behind, real(m.ior), real(1.0f / m.ior));
-        mask total = mask_and(eta * eta * (1.0f - cos_in * cos_in) >= real(1.0f), mask(!for_shadow));
+        real cos_mirror = cos_in;
+        if (FEATURE(FEATURE_NORMALS)) cos_mirror = -dot(layered.mirror, incoming);
+        mask total = mask_and(eta * eta * (1.0f - cos_mirror * cos_mirror) >= real(1.0f), mask(!for_shadow));
         lobes.reflectance = select(here, reflectance + select(total, above, black), lobes.reflectance);
         lobes.transmittance = select(here, select(total, black, above), lobes.transmittance);
         lobes.eta = select(here, eta, lobes.eta);
@@ -108,6 +139,11 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patter
         PatternedMaterial m = AT(patterned, i);
         for (uint l = 0u; l < m.layer_count; l = l + 1u) {
             Layer layer = AT(layers, m.first_layer + l);
+            real3 n = s.normal;
+            if (FEATURE(FEATURE_NORMALS)) {
+                n = layered.normal[l];
+                cosine = max(dot(n, to_light), real(0.0f));
+            }
             real share = cosine;
             if (layer.brilliance != 1.0f) share = power(cosine, real(layer.brilliance));
             base = base + select(here, layered.own[l] * light_color * (share * layer.diffuse), black);
@@ -115,10 +151,10 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patter
                 if (layer.phong > 0.0f || layer.specular > 0.0f) {
                     real shine = real(0.0f);
                     if (layer.phong > 0.0f)
-                        shine = layer.phong * phong_highlight(s.normal, to_light, to_eye, real(layer.phong_size));
+                        shine = layer.phong * phong_highlight(n, to_light, to_eye, real(layer.phong_size));
                     if (layer.specular > 0.0f)
-                        shine = shine + layer.specular * blinn_phong_highlight(s.normal, to_light, to_eye,
-                                                                               real(layer.specular_exponent));
+                        shine = shine + layer.specular *
+                                            blinn_phong_highlight(n, to_light, to_eye, real(layer.specular_exponent));
                     real3 color = layered.above[l] * light_color * shine;
                     if (layer.metallic > 0.0f)
                         color = color * metallic_tint(layered.tint[l], real(layer.metallic), cosine);

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// Normals bent by patterns (POV-Ray's reference, section 3.4.6.2 "Normal"). Patterns are heights, of which the slope is
+// found by differences; bumps, dents, wrinkles, ripples and waves have formulas of their own. Amounts are those that
+// POV-Ray 3.7's pictures show.
+#ifndef SUNDOG_KERNEL_MATERIALS_NORMAL_H
+#define SUNDOG_KERNEL_MATERIALS_NORMAL_H
+
+#include "kernel/materials/surface.h"
+#include "kernel/patterns/program.h"
+
+KERNEL_BEGIN
+
+/// A height program's answer: the grey of its colour.
+FN real pattern_height(SCENE uint program, real3 p) {
+    return dot(run_program(SCENE_ program, p).rgb, real3(vec3(0.297f, 0.589f, 0.114f)));
+}
+
+/// A fifteenth of twice the height's slope, by differences between the corners of a tetrahedron of radius `step`.
+FN real3 pattern_slope(SCENE uint program, real3 p, float step) {
+    real3 sum = real3(real(0.0f));
+    for (uint i = 0u; i < 4u; i = i + 1u) {
+        vec3 corner = vec3(0.0f, 1.0f, 0.0f);
+        if (i == 1u) corner = vec3(0.942809042f, -0.333333333f, 0.0f);
+        if (i == 2u) corner = vec3(-0.471404521f, -0.333333333f, 0.816496581f);
+        if (i == 3u) corner = vec3(-0.471404521f, -0.333333333f, -0.816496581f);
+        sum = sum + real3(corner) * pattern_height(SCENE_ program, p + real3(corner) * real(step));
+    }
+    return sum * real(0.1f / step);
+}
+
+/// An image's differences to the next texel, rightwards and upwards.
+FN real3 image_slope(SCENE uint program, real3 p, float texel_u, float texel_v) {
+    real here = pattern_height(SCENE_ program, p);
+    real right = pattern_height(SCENE_ program, p + real3(vec3(texel_u, 0.0f, 0.0f)));
+    real up = pattern_height(SCENE_ program, p + real3(vec3(0.0f, texel_v, 0.0f)));
+    return real3(right - here, up - here, real(0.0f));
+}
+
+/// Ripples (all of one wavelength, 1) or waves (each of another, the longer the steeper) from ten places near the
+/// origin.
+FN real3 rings_slope(real3 p, bool one_wavelength, float frequency, float phase) {
+    real3 sum = real3(real(0.0f));
+    for (uint i = 0u; i < 10u; i = i + 1u) {
+        word hash = hash_word(word(i * 7919u + 101u));
+        real3 from_source = p - real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
+        real distance = max(length(from_source), real(1e-6f));
+        float own = one_wavelength ? 1.0f : 0.2f + 0.08f * float(i);
+        real height = sine(fraction(distance * (frequency * own) + phase) * 6.28318531f) * (0.1f / own);
+        sum = sum + from_source * (height / distance);
+    }
+    return sum;
+}
+
+/// What a normal of kind `kind` adds to a unit normal at p, both in the pattern's space, for an amount of 1.
+FN real3 normal_offset(SCENE uint kind, real3 p, uint program, float first, float second) {
+    if (kind == NORMAL_PATTERN) return -pattern_slope(SCENE_ program, p, first);
+    if (kind == NORMAL_IMAGE) return -image_slope(SCENE_ program, p, first, second);
+    if (kind == NORMAL_RIPPLES || kind == NORMAL_WAVES) return rings_slope(p, kind == NORMAL_RIPPLES, first, second);
+    if (kind == NORMAL_BUMPS) return noise_vector(p) * real(1.12f);
+    if (kind == NORMAL_DENTS) {
+        real n = noise_value(p, program);
+        return noise_vector(p) * (n * n * n * 1.9f);
+    }
+    real3 sum = real3(real(0.0f));  // wrinkles
+    float scale = 1.0f;
+    for (uint i = 0u; i < 10u; i = i + 1u) {
+        sum = sum + abs(noise_vector(p * real(scale))) * real(1.25f / scale);
+        scale = scale * 2.0f;
+    }
+    return sum;
+}
+
+/// The unit normal n, bent by the list of normals at `start` of the program code (NORMAL_WORDS each, see shared.h).
+/// `point` and the columns of texture_from_world are where the texture lies.
+FN_LARGE real3 perturbed_normal(SCENE uint start, real3 point, vec3 texture_x, vec3 texture_y, vec3 texture_z,
+                                real3 n) {
+    real3 sum = real3(real(0.0f));
+    uint count = AT(code, start);
+    for (uint i = 0u; i < count; i = i + 1u) {
+        uint at = start + 1u + i * NORMAL_WORDS;
+        real weight = real(1.0f);
+        if (AT(code, at) != NONE) weight = run_program(SCENE_ AT(code, at), point).rgb.x;
+        if (any_lane(weight > real(0.0f))) {
+            real3 from_x = real3(code_vec3(SCENE_ at + 10u));
+            real3 from_y = real3(code_vec3(SCENE_ at + 13u));
+            real3 from_z = real3(code_vec3(SCENE_ at + 16u));
+            real3 p = from_x * point.x + from_y * point.y + from_z * point.z + real3(code_vec3(SCENE_ at + 19u));
+            uint octaves = AT(code, at + 9u);
+            if (octaves > 0u) {
+                real3 stirred = turbulence_vector(p, octaves, code_float(SCENE_ at + 7u), code_float(SCENE_ at + 8u));
+                p = p + real3(code_vec3(SCENE_ at + 22u)) * stirred;
+            }
+            real3 offset = normal_offset(SCENE_ AT(code, at + 1u), p, AT(code, at + 4u), code_float(SCENE_ at + 5u),
+                                         code_float(SCENE_ at + 6u)) *
+                           real(code_float(SCENE_ at + 2u));
+            // Normals go to the pattern's space by the inverse transposed of A = pattern_from_world, are made unit and
+            // bent there and come back by the transposed: that is n + |A^-T n| A^T offset.
+            real3 a_x = from_x * texture_x.x + from_y * texture_x.y + from_z * texture_x.z;
+            real3 a_y = from_x * texture_y.x + from_y * texture_y.y + from_z * texture_y.z;
+            real3 a_z = from_x * texture_z.x + from_y * texture_z.y + from_z * texture_z.z;
+            real3 back = real3(dot(a_x, offset), dot(a_y, offset), dot(a_z, offset));
+            if (AT(code, at + 3u) == 0u) {
+                real determinant = dot(a_x, cross(a_y, a_z));
+                real3 inside = cross(a_y, a_z) * n.x + cross(a_z, a_x) * n.y + cross(a_x, a_y) * n.z;
+                back = back * (length(inside) / max(abs(determinant), real(1e-30f)));
+            }
+            sum = sum + normalize(n + back) * weight;
+        }
+    }
+    real length_squared = dot(sum, sum);
+    return select(length_squared > real(1e-12f), sum * (1.0f / sqrt(max(length_squared, real(1e-12f)))), n);
+}
+
+KERNEL_END
+
+#endif

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { rgb <0.6, 0.7, 0.8> } }
+sphere { <-0.9, 0, 0>, 0.9
+  texture { pigment { rgb <0.9, 0.7, 0.5> } normal { gradient x 1 sine_wave scale 0.3 } }
+  texture { pigment { rgbt <0.2, 0.3, 0.9, 0.5> } normal { gradient y 1 sine_wave scale 0.3 } finish { phong 1 } } }
+box { <0.2, -0.8, -0.5>, <1.6, 0.8, 0.6>
+  texture { gradient x texture_map { [0.4 pigment { rgb <0.5, 0.8, 0.6> } normal { gradient y 1 sine_wave scale 0.2 }] [0.8 pigment { rgb <0.8, 0.5, 0.6> }] } } }
