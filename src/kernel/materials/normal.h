@@ -45,7 +45,8 @@ FN real3 rings_slope(real3 p, bool one_wavelength, float frequency, float phase)
         real3 from_source = p - real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
         real distance = max(length(from_source), real(1e-6f));
         float own = one_wavelength ? 1.0f : 0.2f + 0.08f * float(i);
-        real height = sine(fraction(distance * (frequency * own) + phase) * 6.28318531f) * (0.1f / own);
+        float amount = one_wavelength ? 0.08f : 0.125f;
+        real height = sine(fraction(distance * (frequency * own) + phase) * 6.28318531f) * (amount / own);
         sum = sum + from_source * (height / distance);
     }
     return sum;
@@ -56,15 +57,15 @@ FN real3 normal_offset(SCENE uint kind, real3 p, uint program, float first, floa
     if (kind == NORMAL_PATTERN) return -pattern_slope(SCENE_ program, p, first);
     if (kind == NORMAL_IMAGE) return -image_slope(SCENE_ program, p, first, second);
     if (kind == NORMAL_RIPPLES || kind == NORMAL_WAVES) return rings_slope(p, kind == NORMAL_RIPPLES, first, second);
-    if (kind == NORMAL_BUMPS) return noise_vector(p) * real(1.12f);
+    if (kind == NORMAL_BUMPS) return noise_vector(p) * real(1.03f);
     if (kind == NORMAL_DENTS) {
         real n = noise_value(p, program);
-        return noise_vector(p) * (n * n * n * 1.9f);
+        return noise_vector(p) * (n * n * n * 1.02f);
     }
     real3 sum = real3(real(0.0f));  // wrinkles
     float scale = 1.0f;
     for (uint i = 0u; i < 10u; i = i + 1u) {
-        sum = sum + abs(noise_vector(p * real(scale))) * real(1.25f / scale);
+        sum = sum + abs(noise_vector(p * real(scale))) * real(0.95f / scale);
         scale = scale * 2.0f;
     }
     return sum;
