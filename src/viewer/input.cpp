@@ -13,15 +13,16 @@ void add(MouseMove& sum, const SDL_MouseMotionEvent& motion) {
     sum.dy_px += static_cast<float>(motion.yrel);
 }
 
-void read_flying(Input& input) {
+/// `s_is_taken`: the key S was pressed for something else and is still down.
+void read_flying(Input& input, bool s_is_taken) {
     const auto modifiers = SDL_GetModState();
     if (ImGui::GetIO().WantTextInput || (modifiers & (KMOD_CTRL | KMOD_ALT | KMOD_GUI))) return;
     const Uint8* down = SDL_GetKeyboardState(nullptr);
     const auto axis = [&](SDL_Scancode plus, SDL_Scancode minus) {
         return static_cast<float>(down[plus]) - static_cast<float>(down[minus]);
     };
-    input.fly = {axis(SDL_SCANCODE_D, SDL_SCANCODE_A), axis(SDL_SCANCODE_W, SDL_SCANCODE_S),
-                 axis(SDL_SCANCODE_E, SDL_SCANCODE_Q)};
+    const float forward = s_is_taken ? static_cast<float>(down[SDL_SCANCODE_W]) : axis(SDL_SCANCODE_W, SDL_SCANCODE_S);
+    input.fly = {axis(SDL_SCANCODE_D, SDL_SCANCODE_A), forward, axis(SDL_SCANCODE_E, SDL_SCANCODE_Q)};
     input.fly_speed = modifiers & KMOD_SHIFT ? 4.0F : 1.0F;
 }
 
@@ -34,7 +35,7 @@ Input InputReader::read(int wait_ms) {
         do take(event, input);
         while (SDL_PollEvent(&event));
     }
-    read_flying(input);
+    read_flying(input, saving_key_down_);
     return input;
 }
 
@@ -48,13 +49,17 @@ void InputReader::take(const SDL_Event& event, Input& input) {
             break;
         case SDL_KEYDOWN:
             note_modifier(event.key);
+            // Ctrl may be let go before S: that must not fly.
+            if (event.key.keysym.scancode == SDL_SCANCODE_S && event.key.repeat == 0)
+                saving_key_down_ = (event.key.keysym.mod & KMOD_CTRL) != 0;
             press_key(event.key, input);
             break;
         case SDL_KEYUP:
             note_modifier(event.key);
+            if (event.key.keysym.scancode == SDL_SCANCODE_S) saving_key_down_ = false;
             break;
         case SDL_WINDOWEVENT:
-            if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) ctrl_ = shift_ = false;
+            if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) ctrl_ = shift_ = saving_key_down_ = false;
             break;
         case SDL_MOUSEBUTTONDOWN:
             press_button(event.button, input);

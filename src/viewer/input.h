@@ -45,6 +45,7 @@ private:
     // As of the event at hand: SDL_GetModState() already knows of those that wait
     // behind it.
     bool ctrl_ = false, shift_ = false;
+    bool saving_key_down_ = false;  ///< S, since it was pressed together with Ctrl.
     Vec2 mouse_;
 };
 

@@ -173,8 +173,7 @@ TEST_F(WindowTest, PicksAPixel) {
     EXPECT_TRUE(becomes([&] { return difference(corner(), before, 20) > 0.3; }));
 }
 
-// Catches a save that writes nothing, overwrites, or writes another picture
-// than the one shown.
+// Catches a save that writes nothing, overwrites, writes another picture than the one shown, or moves the camera.
 TEST_F(WindowTest, SavesThePicture) {
     open(kStill);
     const Screenshot shown = settled();
@@ -194,6 +193,10 @@ TEST_F(WindowTest, SavesThePicture) {
     for (std::size_t i = 0; i < bytes.size(); i += 3)
         from_file.pixels.push_back(static_cast<std::uint32_t>(bytes[i] << 16 | bytes[i + 1] << 8 | bytes[i + 2]));
     EXPECT_LT(difference(from_file, shown, 40), kSame);
+    // Who lets go of Ctrl before S has not asked to fly.
+    screen_->act({"keydown", "ctrl", "keydown", "s", "keyup", "ctrl", "sleep", "0.5", "keyup", "s"});
+    ASSERT_TRUE(becomes([&] { return std::filesystem::exists(folder_ / "walls-0003.png"); }));
+    EXPECT_LT(difference(settled(), shown, 30), kSame);
 }
 
 }  // namespace

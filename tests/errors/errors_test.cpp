@@ -36,16 +36,14 @@ std::string without_folder(std::string text) {
 
 std::string messages_of(const fs::path& file) {
     std::string text;
+    const auto note = [&](const Diagnostic& d) { text += format(d) + '\n'; };
     try {
-        import::import_scene(file, [&](const Diagnostic& d) { text += format(d) + '\n';
-    });
+        import::import_scene(file, note);
+    } catch (const InputError& error) {
+        text += std::string(error.what()) + '\n';
+    }
+    return without_folder(text);
 }
-catch (const InputError& error) {
-    text += error.what();
-    text += '\n';
-}
-return without_folder(text);
-}  // namespace
 
 std::string read(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -79,5 +77,5 @@ TEST(ErrorCorpus, EachExpectationHasItsInput) {
     }
 }
 
-}  // namespace sundog
+}  // namespace
 }  // namespace sundog
