@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "test_devices.h"
 
-#include "device/vulkan/vulkan_device.h"
-
 namespace sundog::parity {
 
-std::unique_ptr<Device> open_gpu(std::vector<std::string>& messages, std::string& why) {
+std::unique_ptr<Device> open_gpu(std::vector<std::string>& messages, std::string& why, VulkanOptions options) {
     const auto adapters = vulkan_adapters(why);
     for (std::size_t i = 0; i < adapters.size(); ++i) {
         if (!adapters[i].why_unusable.empty()) {
             why += adapters[i].info.name + ": " + adapters[i].why_unusable + ". ";
             continue;
         }
-        VulkanOptions options;
         options.on_validation_message = [&messages](std::string_view message) { messages.emplace_back(message); };
         return make_vulkan_device(i, options);
     }

@@ -8,13 +8,14 @@
 
 #include "compile/compile.h"
 #include "device/device.h"
+#include "device/vulkan/vulkan_device.h"
 #include "test_scenes.h"
 
 namespace sundog::parity {
 
 /// A GPU under the validation layer, where that is installed; null where there is no usable GPU (`why` then says so).
 /// Messages of the layer are added to `messages`, which must outlive the device.
-std::unique_ptr<Device> open_gpu(std::vector<std::string>& messages, std::string& why);
+std::unique_ptr<Device> open_gpu(std::vector<std::string>& messages, std::string& why, VulkanOptions options = {});
 
 /// A scene with a frame of it, ready for devices.
 struct Prepared {

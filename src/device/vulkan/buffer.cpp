@@ -11,9 +11,6 @@
 namespace sundog::vulkan {
 namespace {
 
-/// Large uploads go through a staging buffer of this size, piece by piece.
-constexpr std::size_t kStagingBytes = std::size_t{32} << 20U;
-
 /// The first memory type among those allowed that has all the flags.
 std::optional<std::uint32_t> memory_type(const Adapter& adapter, std::uint32_t allowed, VkMemoryPropertyFlags flags) {
     for (std::uint32_t i = 0; i < adapter.memory.memoryTypeCount; ++i) {
@@ -74,7 +71,9 @@ Buffer::Buffer(const Gpu& gpu, std::size_t bytes, VkBufferUsageFlags usage, Memo
     const VkMemoryPropertyFlags flags = gpu.adapter().memory.memoryTypes[allocate.memoryTypeIndex].propertyFlags;
     coherent_ = (flags & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT) != 0;
     // Device memory that is mapped saves the staging copy, if writes need no flushing.
-    if (memory != Memory::device || ((flags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && coherent_)) {
+    const bool maps_device =
+        gpu.transfer().map_device_memory && (flags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && coherent_;
+    if (memory != Memory::device || maps_device) {
         void* address = nullptr;
         check(f.vkMapMemory(gpu.device(), memory_handle, 0, VK_WHOLE_SIZE, 0, &address), what);
         mapped_ = {static_cast<std::byte*>(address), bytes_};
@@ -114,8 +113,8 @@ void write(Gpu& gpu, const Buffer& buffer, std::span<const std::byte> content) {
         std::memcpy(buffer.mapped().data(), content.data(), content.size());
         return;
     }
-    const Buffer staging(gpu, std::min(kStagingBytes, content.size()), VK_BUFFER_USAGE_TRANSFER_SRC_BIT, Memory::upload,
-                         "staging");
+    const Buffer staging(gpu, std::min(gpu.transfer().staging_bytes, content.size()), VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                         Memory::upload, "staging");
     for (std::size_t done = 0; done < content.size();) {
         const std::size_t piece = std::min(staging.bytes(), content.size() - done);
         std::memcpy(staging.mapped().data(), content.data() + done, piece);

@@ -23,8 +23,8 @@ Adapter usable_adapter(const Instance& instance, std::size_t index) {
 
 }  // namespace
 
-Gpu::Gpu(std::size_t index, MessageSink validation)
-    : instance_(std::move(validation)), adapter_(usable_adapter(instance_, index)) {
+Gpu::Gpu(std::size_t index, MessageSink validation, TransferOptions transfer)
+    : instance_(std::move(validation)), adapter_(usable_adapter(instance_, index)), transfer_(transfer) {
     const float priority = 1;
     VkDeviceQueueCreateInfo queue{};
     queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;

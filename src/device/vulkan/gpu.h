@@ -2,6 +2,7 @@
 // An opened GPU: logical device, queue, and the handles that live on it.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -34,16 +35,25 @@ private:
     std::function<void(Handle)> destroy_;
 };
 
+/// How content comes into the GPU's own memory.
+struct TransferOptions {
+    /// Written directly where the host sees that memory; if false, always through a staging buffer, as on most cards.
+    bool map_device_memory = true;
+    /// Size of the staging buffer; what is larger goes piece by piece.
+    std::size_t staging_bytes = std::size_t{32} << 20U;
+};
+
 /// Owns a VkDevice with one compute queue and one command buffer that is recorded, submitted and awaited at once.
 class Gpu {
 public:
     /// Opens number `index` of the instance's physical devices. Errors: DeviceError.
-    Gpu(std::size_t index, MessageSink validation);
+    Gpu(std::size_t index, MessageSink validation, TransferOptions transfer = {});
     Gpu(const Gpu&) = delete;
     Gpu& operator=(const Gpu&) = delete;
     ~Gpu();
 
     [[nodiscard]] const Adapter& adapter() const { return adapter_; }
+    [[nodiscard]] const TransferOptions& transfer() const { return transfer_; }
     [[nodiscard]] const DeviceFunctions& functions() const { return functions_; }
     [[nodiscard]] VkDevice device() const { return device_.get(); }
 
@@ -60,6 +70,7 @@ public:
 private:
     Instance instance_;
     Adapter adapter_;
+    TransferOptions transfer_;
     Owned<VkDevice> device_;
     DeviceFunctions functions_;
     VkQueue queue_ = VK_NULL_HANDLE;

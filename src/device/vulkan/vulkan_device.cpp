@@ -28,7 +28,7 @@ struct Piece {
 class VulkanDevice final : public Device {
 public:
     VulkanDevice(std::size_t index, const VulkanOptions& options)
-        : gpu_(index, options.on_validation_message),
+        : gpu_(index, options.on_validation_message, {options.map_device_memory, options.staging_bytes}),
           pipelines_(gpu_, whitted_spirv, kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
 
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }

@@ -2,6 +2,7 @@
 // The Vulkan device: the same kernel as SPIR-V over our own wide BVH. Found at run time.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -25,6 +26,10 @@ std::vector<VulkanAdapter> vulkan_adapters(std::string& why);
 struct VulkanOptions {
     /// If set, the Khronos validation layer is switched on where it is installed, and its messages come here.
     std::function<void(std::string_view)> on_validation_message;
+    /// False: the GPU's memory is treated as if the host didn't see it, as is so on most cards. For tests on others.
+    bool map_device_memory = true;
+    /// Bytes that are copied to such memory at a time, at least 1.
+    std::size_t staging_bytes = std::size_t{32} << 20U;
 };
 
 /// Opens adapter number `index` of vulkan_adapters(). Errors: DeviceError.
