@@ -51,7 +51,7 @@ TexturePointer CornerBlender::blended(const CornerTextures& corners) {
     pigment.uv_mapping = true;
     pigment.entries = {{0, {}, row(a, b)}, {0.5F, {}, row(c, fourth_corner(b, c, a))}};
     scene::LayeredTexture texture;
-    texture.layers.push_back({std::make_shared<const Pigment>(std::move(pigment)), first.finish});
+    texture.layers.push_back({std::make_shared<const Pigment>(std::move(pigment)), first.finish, first.normal});
     place->second = std::make_shared<const scene::LayeredTexture>(std::move(texture));
     return place->second;
 }
