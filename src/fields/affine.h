@@ -137,6 +137,9 @@ template <std::size_t N>
 Affine<N> sum_of(const Affine<N>& a, const Affine<N>& b) {
     Affine<N> out;
     out.lower = below(a.lower + b.lower), out.upper = above(a.upper + b.upper);
+    // Rounding changes no sign: the root of a sum of squares has a value.
+    if (a.lower >= 0 && b.lower >= 0) out.lower = std::max(out.lower, 0.0);
+    if (a.upper <= 0 && b.upper <= 0) out.upper = std::min(out.upper, 0.0);
     out.centre = a.centre + b.centre;
     double size = std::fabs(out.centre);
     for (std::size_t i = 0; i < N; ++i) {
@@ -151,8 +154,10 @@ template <std::size_t N>
 Affine<N> product_of(const Affine<N>& a, const Affine<N>& b) {
     Affine<N> out;
     const double p = a.lower * b.lower, q = a.lower * b.upper, r = a.upper * b.lower, s = a.upper * b.upper;
-    out.lower = below(std::min(std::min(p, q), std::min(r, s)));
-    out.upper = above(std::max(std::max(p, q), std::max(r, s)));
+    const double least = std::min(std::min(p, q), std::min(r, s)), most = std::max(std::max(p, q), std::max(r, s));
+    // Rounding changes no sign.
+    out.lower = least >= 0 ? std::max(below(least), 0.0) : below(least);
+    out.upper = most <= 0 ? std::min(above(most), 0.0) : above(most);
     // 0 times infinity is 0 here: ends at infinity only say that there is no bound.
     if (std::isnan(p + q + r + s)) out.lower = -kInfinite, out.upper = kInfinite;
     double centre = a.centre * b.centre;

@@ -225,6 +225,22 @@ void expect_bounds_hold(const char* name, const FunctionEvaluator& f, double low
     }
 }
 
+// Sums and products of numbers that can't be negative, said to be perhaps negative: no part of a ray through a rounded
+// box would ever be settled.
+TEST(FieldsFunction, SumsAndProductsKeepTheirSign) {
+    FunctionBuilder b(2);
+    const auto beyond = [&](Number x) { return max(x - 1, b.constant(0)); };
+    const Number u = beyond(b.input(0)), v = beyond(b.input(1));
+    const FunctionEvaluator f = evaluator_of(b, {sqrt(u * u + v * v), sqrt(u * v), sqrt(-u * (-u - v))});
+    NoiseCells cells;
+    RangeEvaluation<2> ranges(f, cells);
+    for (const double lower : {-3.0, 0.5, 1.0, 2.0}) {
+        for (std::size_t i = 0; i < 2; ++i) ranges.set_input(i, input_range<2>(i, lower, lower + 0.75));
+        ranges.run();
+        EXPECT_FALSE(ranges.may_be_undefined()) << "from " << lower;
+    }
+}
+
 // A bound that some value exceeds: isosurfaces would get holes.
 TEST(FieldsFunction, BoundsHoldForEveryOperation) {
     for (const Case& c : cases()) {

@@ -2,9 +2,11 @@
 // Isosurfaces (POV-Ray reference, section 3.4.5.1.7 "Isosurface").
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "import/pov/build_function.h"
 #include "import/pov/build_shape.h"
+#include "import/pov/function_lowering.h"
 
 namespace sundog::pov {
 namespace {
@@ -38,6 +40,11 @@ NodeShape read_isosurface(ItemReader& items) {
     while (!function) {
         function = items.take_function();
         if (!function && !read_isosurface_item(items, isosurface)) items.unexpected("a function of x, y and z");
+    }
+    if (const FunctionExpression* unknown = unknown_internal_function(*function)) {
+        items.warn("an isosurface of internal(" + std::to_string(unknown->internal_number) +
+                   "), a function that Sundog doesn't have; left out");
+        return {};
     }
     isosurface.function = read_functions(items.context(), std::array{function}, 3);
     return isosurface;

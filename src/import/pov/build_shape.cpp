@@ -179,6 +179,10 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
 bool read_shape_item(ItemReader& items, const Block& block, NodeShape& shape) {
     if (auto* isosurface = std::get_if<scene::Isosurface>(&shape))
         if (read_isosurface_item(items, *isosurface)) return true;
+    if (block.keyword == Keyword::isosurface && std::holds_alternative<std::monostate>(shape)) {
+        scene::Isosurface left_out;
+        if (read_isosurface_item(items, left_out)) return true;
+    }
     if (items.take(Keyword::open)) {
         const bool open = items.flag();
         if (auto* cone = std::get_if<scene::SolidCone>(&shape)) cone->open = open;

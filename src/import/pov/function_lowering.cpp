@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "fields/internal_functions.h"
 #include "import/pov/math_functions.h"
@@ -275,6 +276,20 @@ Number FunctionLowering::call(const FunctionExpression& function, std::span<cons
                 return pigment_component(pigments_->pigment_of_pattern(function.block), arguments, 0);
             return pigment_component(pigments_->pigment_of(function.block), arguments, component);
     }
+}
+
+const FunctionExpression* unknown_internal_function(const FunctionExpression& function) {
+    // Each once: functions may share what they call, many levels deep.
+    std::vector<const FunctionExpression*> called{&function};
+    std::set<const FunctionExpression*> seen{&function};
+    while (!called.empty()) {
+        const FunctionExpression& f = *called.back();
+        called.pop_back();
+        if (f.kind == FunctionKind::internal && fields::internal_function(f.internal_number) == nullptr) return &f;
+        for (const auto& callee : f.callees)
+            if (seen.insert(callee.get()).second) called.push_back(callee.get());
+    }
+    return nullptr;
 }
 
 std::shared_ptr<const scene::Function> lowered(const FunctionExpression& function,

@@ -45,6 +45,10 @@ private:
     std::map<const Spline*, std::shared_ptr<const scene::FunctionSpline>> splines_;
 };
 
+/// The first internal function without a known value among those that a function calls, itself or by way of others;
+/// null where there is none.
+const FunctionExpression* unknown_internal_function(const FunctionExpression& function);
+
 /// A function of as many inputs as it has parameters (an internal function: as it needs), with one output for each of
 /// `components`.
 std::shared_ptr<const scene::Function> lowered(const FunctionExpression& function,
