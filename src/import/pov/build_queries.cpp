@@ -14,7 +14,8 @@ std::shared_ptr<const solids::CompiledSolid> ObjectQueries::compiled(const std::
         context_.fail(object->where, std::string(spelling(object->keyword)) + " { } is no object",
                       "trace(), inside() and the extents take objects");
     std::shared_ptr<const solids::CompiledSolid> result;
-    if (const auto solid = writer_.solid_of(objects_.read(*object))) result = solids::compile_solid(*solid, 0, scratch_.textures);
+    if (const auto solid = writer_.solid_of(objects_.read(*object)))
+        result = solids::compile_solid(*solid, 0, scratch_.textures);
     compiled_.emplace(object, result);
     return result;
 }
