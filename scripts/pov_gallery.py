@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 GROUPS = {"shapes": ("shape_",), "cameras": ("camera_",), "lights": ("light_", "fog_", "sky_"),
-          "patterns": ("pigment_", "texture_"), "finishes": ("finish_", "interior_")}
+          "patterns": ("pigment_", "texture_"), "normals": ("normal_",), "finishes": ("finish_", "interior_")}
 WIDTH, HEIGHT, TEXT, GAP, COLUMNS = 104, 78, 12, 4, 4
 
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compile/compile.h"
+#include "base/srgb.h"
 
 #include <cmath>
 #include <type_traits>
@@ -7,18 +8,12 @@
 #include "compile/convert.h"
 #include "compile/material.h"
 #include "compile/mesh.h"
-#include "compile/patterns.h"
+#include "compile/pattern_compiler.h"
 #include "compile/solid.h"
 #include "solids/compiled_solid.h"
 
 namespace sundog {
 namespace {
-
-/// Inverse of the sRGB transfer function (IEC 61966-2-1) of a value of 0 to 255.
-float linear_of_srgb8(int value) {
-    const double s = value / 255.0;
-    return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
-}
 
 void compile_textures(const scene::Scene& scene, RenderScene& out) {
     std::size_t total = 0;
@@ -33,8 +28,7 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
     }
     out.texels.reserve(total);
     for (const scene::Texture& t : scene.textures) out.texels.insert(out.texels.end(), t.rgba8.begin(), t.rgba8.end());
-    out.srgb_to_linear.resize(256);
-    for (int i = 0; i < 256; ++i) out.srgb_to_linear[static_cast<std::size_t>(i)] = linear_of_srgb8(i);
+    out.srgb_to_linear.assign(linear_of_srgb8().begin(), linear_of_srgb8().end());
 }
 
 void compile_materials(const scene::Scene& scene, RenderScene& out) {

@@ -77,6 +77,12 @@ std::uint32_t kernel_camera_kind(const scene::ProjectionCamera& camera) {
     return kernel::CAMERA_PERSPECTIVE;
 }
 
+/// A camera placed by vectors, with another vector to the right.
+kernel::Camera window_of(const scene::ProjectionCamera& camera, Vec3d right) {
+    return {to_kernel(to_float(camera.location)), to_kernel(to_float(camera.direction)),
+            to_kernel(to_float(right * 0.5)), to_kernel(to_float(camera.up * 0.5))};
+}
+
 }  // namespace
 
 kernel::Camera camera_at(const scene::OrbitCamera& camera, float time_s, float aspect) {
@@ -95,8 +101,7 @@ kernel::Camera camera_at(const scene::ProjectionCamera& camera, float aspect) {
     const double width = length(camera.up) * aspect;
     if (camera.kind == scene::ProjectionCamera::Kind::perspective && length(right) > 0)
         right = normalize(right) * width;
-    return {to_kernel(to_float(camera.location)), to_kernel(to_float(camera.direction)),
-            to_kernel(to_float(right * 0.5)), to_kernel(to_float(camera.up * 0.5))};
+    return window_of(camera, right);
 }
 
 namespace {
@@ -108,8 +113,7 @@ void set_camera(const scene::Scene& scene, const FrameOptions& options, float ti
         params.camera = *options.camera;
     } else if (scene.projection_camera) {
         const scene::ProjectionCamera& camera = *scene.projection_camera;
-        params.camera = {to_kernel(to_float(camera.location)), to_kernel(to_float(camera.direction)),
-                         to_kernel(to_float(camera.right * 0.5)), to_kernel(to_float(camera.up * 0.5))};
+        params.camera = window_of(camera, camera.right);
         params.camera_kind = kernel_camera_kind(camera);
         params.camera_angle = radians(static_cast<float>(camera.angle_deg));
         params.camera_vertical_angle = radians(static_cast<float>(camera.vertical_angle_deg));

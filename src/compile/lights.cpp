@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compile/convert.h"
+#include "kernel/lights/light.h"
 
 namespace sundog {
 namespace {
@@ -35,11 +36,6 @@ void set_area(const scene::LightArea& area, kernel::Light& out) {
     if (area.jitter) out.flags |= kernel::LIGHT_JITTER;
 }
 
-/// -1/2 to 1/2 along a row of lights; 0 for a single one.
-float place_in_row(int index, int count) {
-    return count > 1 ? static_cast<float>(index) / static_cast<float>(count - 1) - 0.5F : 0;
-}
-
 }  // namespace
 
 void append_lights(const scene::Light& light, float time_s, std::vector<kernel::Light>& out) {
@@ -52,20 +48,15 @@ void append_lights(const scene::Light& light, float time_s, std::vector<kernel::
         out.push_back(whole);
         return;
     }
-    const scene::LightArea& area = *light.area;
-    const float share = 1 / static_cast<float>(area.size1 * area.size2);
-    for (int i = 0; i < area.size1; ++i) {
-        for (int k = 0; k < area.size2; ++k) {
-            float s = place_in_row(i, area.size1);
-            float t = place_in_row(k, area.size2);
-            const float reach = std::hypot(s, t);
-            if (area.circular && reach > 0) {
-                const float bend = std::max(std::abs(s), std::abs(t)) / reach;
-                s *= bend, t *= bend;
-            }
+    const std::uint32_t count_u = whole.area_count_u, count_v = whole.area_count_v;
+    const float share = 1 / static_cast<float>(count_u * count_v);
+    for (std::uint32_t u = 0; u < count_u; ++u) {
+        for (std::uint32_t v = 0; v < count_v; ++v) {
+            const kernel::real3 place =
+                kernel::area_light_place(whole, kernel::place_in_row(u, count_u), kernel::place_in_row(v, count_v), {});
             kernel::Light part = whole;
             part.area_count_u = part.area_count_v = 1;
-            part.place = to_kernel(scene::place_at(light, time_s) + area.axis1 * s + area.axis2 * t);
+            part.place = {place.x, place.y, place.z};
             part.color = to_kernel(light.color * share);
             out.push_back(part);
         }

@@ -7,7 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "compile/convert.h"
-#include "compile/patterns.h"
+#include "compile/pattern_compiler.h"
 #include "fields/pigment_code.h"
 
 namespace sundog {
@@ -90,7 +90,7 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
 
 std::uint32_t PatternCompiler::program_of(const Pigment& pigment) {
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    write_pigment_code(pigment, out_.code);
+    fields::write_pigment_code(pigment, out_.code);
     return start;
 }
 

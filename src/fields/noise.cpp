@@ -9,17 +9,12 @@
 namespace sundog::fields {
 namespace {
 
-// Shares of noise_value() in kernel/patterns/noise.h.
-constexpr double kSlopeShare = static_cast<double>(1.7F), kValueShare = 1;
+const double kSlopeShare = static_cast<double>(kernel::NOISE_SLOPE_SHARE);
+constexpr double kValueShare = 1;
 
-double mean_of(std::uint32_t generator) {
-    return static_cast<double>(generator == 1 ? 0.481F : generator == 2 ? 0.506F : 0.489F);
-}
+double mean_of(std::uint32_t generator) { return static_cast<double>(kernel::noise_mean(generator)); }
 double factor_of(std::uint32_t generator) {
-    return static_cast<double>(generator == 1   ? 0.232F
-                               : generator == 2 ? 0.117F
-                                                : 0.151F) *
-           static_cast<double>(2.068F);
+    return static_cast<double>(kernel::noise_deviation(generator)) * static_cast<double>(kernel::NOISE_SUM_SCALE);
 }
 
 std::uint32_t lattice_number(double cell) {
@@ -31,9 +26,7 @@ std::uint32_t lattice_number(double cell) {
 NoiseCell make_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     NoiseCell cell;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
-        std::uint32_t hash = kernel::hash_word(z + (corner >> 2U));
-        hash = kernel::hash_word(hash + y + (corner >> 1U & 1U));
-        hash = kernel::hash_word(hash + x + (corner & 1U));
+        const std::uint32_t hash = kernel::lattice_hash(x + (corner & 1U), y + (corner >> 1U & 1U), z + (corner >> 2U));
         for (std::uint32_t axis = 0; axis < 3; ++axis)
             cell.slope[axis][corner] = static_cast<double>(kernel::signed_unit(hash >> (10 * axis))) * kSlopeShare;
         cell.value[corner] = static_cast<double>(kernel::signed_unit(kernel::hash_word(hash))) * kValueShare;
@@ -50,13 +43,19 @@ struct Place {
     }
 };
 
-/// The eight corners' terms at a place, and the sum over them blended along x, y and z in turn.
-NoiseSample blended(const NoiseCell& cell, Vec3d f) {
+/// The eight corners' terms at a place.
+std::array<double, 8> corner_terms(const NoiseCell& cell, Vec3d f) {
     std::array<double, 8> h;
     for (std::size_t i = 0; i < 8; ++i)
         h[i] = cell.value[i] + cell.slope[0][i] * (f.x - static_cast<double>(i & 1U)) +
                cell.slope[1][i] * (f.y - static_cast<double>(i >> 1U & 1U)) +
                cell.slope[2][i] * (f.z - static_cast<double>(i >> 2U));
+    return h;
+}
+
+/// The sum over the corners' terms, blended along x, y and z in turn, and its gradient.
+NoiseSample blended(const NoiseCell& cell, Vec3d f) {
+    const std::array<double, 8> h = corner_terms(cell, f);
     const Vec3d s = f * f * (Vec3d{3, 3, 3} - 2 * f);
     const Vec3d ds = 6 * f * (Vec3d{1, 1, 1} - f);
     const auto mix = [](double a, double b, double t) { return a + t * (b - a); };
@@ -85,12 +84,9 @@ NoiseSample blended(const NoiseCell& cell, Vec3d f) {
     return out;
 }
 
+/// The sum alone.
 double value_in(const NoiseCell& cell, Vec3d f) {
-    std::array<double, 8> h;
-    for (std::size_t i = 0; i < 8; ++i)
-        h[i] = cell.value[i] + cell.slope[0][i] * (f.x - static_cast<double>(i & 1U)) +
-               cell.slope[1][i] * (f.y - static_cast<double>(i >> 1U & 1U)) +
-               cell.slope[2][i] * (f.z - static_cast<double>(i >> 2U));
+    const std::array<double, 8> h = corner_terms(cell, f);
     const Vec3d s = f * f * (Vec3d{3, 3, 3} - 2 * f);
     std::array<double, 4> along_x;
     for (std::size_t i = 0; i < 4; ++i) along_x[i] = h[2 * i] + s.x * (h[2 * i + 1] - h[2 * i]);
@@ -165,11 +161,11 @@ Curvature curvature_of(const NoiseCell& cell, Vec3d f, Vec3d r) {
 
 /// What no cell exceeds: all values and slopes at their most.
 Curvature curvature_limit() {
-    constexpr double kEdge = 3 * kSlopeShare + 2 * kValueShare;
-    constexpr double kTwist = 6 * kSlopeShare + 4 * kValueShare;
+    const double edge = 3 * kSlopeShare + 2 * kValueShare;
+    const double twist = 6 * kSlopeShare + 4 * kValueShare;
     Curvature out;
-    out.pure.fill(6 * kEdge);
-    out.mixed.fill(2.25 * kTwist + 6 * kSlopeShare);
+    out.pure.fill(6 * edge);
+    out.mixed.fill(2.25 * twist + 6 * kSlopeShare);
     return out;
 }
 
@@ -249,22 +245,11 @@ double noise_slope_limit(std::uint32_t generator) {
     return factor_of(generator) * (1.5 * (3 * kSlopeShare + 2 * kValueShare) + kSlopeShare);
 }
 
-Vec3d noise_vector(Vec3d p) {
+Vec3d turbulence(Vec3d p, double lambda, double omega, double octaves) {
     const kernel::real3 at(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
-    const kernel::real3 v = kernel::noise_vector(at);
+    const auto count = static_cast<std::uint32_t>(std::clamp(octaves, 1.0, 10.0));
+    const kernel::real3 v = kernel::turbulence_vector(at, count, static_cast<float>(lambda), static_cast<float>(omega));
     return {v.x, v.y, v.z};
-}
-
-Vec3d turbulence(Vec3d point, double lambda, double omega, double octaves) {
-    Vec3d sum;
-    double frequency = 1, strength = 1;
-    const int count = static_cast<int>(std::clamp(octaves, 1.0, 10.0));
-    for (int i = 0; i < count; ++i) {
-        sum += noise_vector(point * frequency) * strength;
-        frequency *= lambda;
-        strength *= omega;
-    }
-    return sum;
 }
 
 }  // namespace sundog::fields

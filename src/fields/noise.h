@@ -51,9 +51,7 @@ NoiseOverBox noise_over_box(NoiseCells& cells, Vec3d centre, Vec3d half_size, st
 /// The most that any first derivative of the noise can be.
 double noise_slope_limit(std::uint32_t generator);
 
-/// A direction of noise: three independent noises of mean 0, as the kernel's noise_vector().
-Vec3d noise_vector(Vec3d p);
-/// Sum over octaves of noise_vector(), each `lambda` times as fine and `omega` times as strong.
-Vec3d turbulence(Vec3d point, double lambda, double omega, double octaves);
+/// The kernel's turbulence_vector(), of 1 to 10 octaves.
+Vec3d turbulence(Vec3d p, double lambda, double omega, double octaves);
 
 }  // namespace sundog::fields

@@ -10,7 +10,7 @@
 #include "base/diagnostics.h"
 #include "kernel/shared.h"
 
-namespace sundog {
+namespace sundog::fields {
 namespace {
 
 using scene::Pattern;
@@ -268,4 +268,4 @@ void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t
     writer.end();
 }
 
-}  // namespace sundog
+}  // namespace sundog::fields

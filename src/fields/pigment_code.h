@@ -7,9 +7,9 @@
 
 #include "scene/pigment.h"
 
-namespace sundog {
+namespace sundog::fields {
 
 /// Appends the program of a pigment. Errors: InputError for pigment maps nested deeper than PROGRAM_SLOTS.
 void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code);
 
-}  // namespace sundog
+}  // namespace sundog::fields

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/srgb.h"
 #include "fields/pigment_code.h"
 #include "kernel/patterns/program.h"
 
@@ -61,11 +62,6 @@ PigmentEvaluator::PigmentEvaluator(std::span<const std::shared_ptr<const scene::
         }
         ranges_.push_back(ranges);
     }
-    if (texels_.empty()) return;
-    for (int i = 0; i < 256; ++i) {
-        const double s = i / 255.0;
-        srgb_to_linear_.push_back(static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4)));
-    }
 }
 
 void PigmentEvaluator::keep_images(const scene::Pigment& pigment, std::span<const scene::Texture> textures) {
@@ -91,7 +87,7 @@ std::array<double, 5> PigmentEvaluator::color(std::uint32_t index, double x, dou
     view.code = code_.data();
     view.textures = infos_.data();
     view.texels = texels_.data();
-    view.srgb_to_linear = srgb_to_linear_.data();
+    view.srgb_to_linear = linear_of_srgb8().data();
     // Far beyond what single precision can tell apart; so that what is no number has a colour, too.
     const auto kept = [](double v) { return static_cast<float>(v > -1e12 ? std::min(v, 1e12) : -1e12); };
     const kernel::PigmentColor c = kernel::run_program(view, starts_[index], kernel::real3(kept(x), kept(y), kept(z)));

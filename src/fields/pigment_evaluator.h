@@ -29,7 +29,6 @@ private:
     std::vector<std::uint32_t> code_, starts_;
     std::vector<kernel::TextureInfo> infos_;
     std::vector<std::uint32_t> texels_;
-    std::vector<float> srgb_to_linear_;
     std::vector<std::array<std::array<double, 2>, 5>> ranges_;
 };
 

@@ -172,7 +172,7 @@ KERNEL_CONST uint FEATURE_PATTERNED = 1024u;     ///< Some material is a texture
 KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog or a sky sphere.
 KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
-KERNEL_CONST uint FEATURE_NORMALS = 1048576u;    ///< Some layer's normal is bent by patterns.
+KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.

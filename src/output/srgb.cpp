@@ -48,18 +48,6 @@ double srgb_from_linear(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-double linear_from_srgb(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
-
-const std::array<float, 256>& linear_of_srgb8() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> linear{};
-        for (std::size_t code = 0; code < linear.size(); ++code)
-            linear[code] = static_cast<float>(linear_from_srgb(static_cast<double>(code) / 255));
-        return linear;
-    }();
-    return table;
-}
-
 void encode_srgb8(std::span<const Vec3> linear, std::span<std::uint8_t> codes) {
     if (codes.size() / 3 < linear.size()) throw std::invalid_argument("encode_srgb8: too few bytes for the codes");
     static const std::array<std::uint32_t, kBinCount> bins = make_bins();

@@ -23,6 +23,16 @@ scene::PigmentColor as_color(const Value& value) {
     return {component(0), component(1), component(2), component(3), component(4)};
 }
 
+Block block_of_row(const Row& row, std::size_t skipped, Keyword keyword, const Block& owner) {
+    Block block;
+    block.keyword = keyword;
+    block.where = row.where;
+    block.version = owner.version;
+    block.defaults = owner.defaults;
+    block.items.assign(row.items.begin() + static_cast<std::ptrdiff_t>(skipped), row.items.end());
+    return block;
+}
+
 Place ItemReader::where() const {
     if (!at_end()) return items_[next_].where;
     return items_.empty() ? where_ : items_.back().where;

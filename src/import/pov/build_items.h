@@ -21,6 +21,9 @@ Vec3d as_vector(const Value& value);
 /// A colour of a value: a float stands for five equal components, missing components are 0.
 scene::PigmentColor as_color(const Value& value);
 
+/// What a map's row says behind its first `skipped` items, as a block `keyword` where `owner` is.
+Block block_of_row(const Row& row, std::size_t skipped, Keyword keyword, const Block& owner);
+
 /// A cursor over the items of a block or of a row.
 class ItemReader {
 public:

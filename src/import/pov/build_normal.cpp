@@ -209,12 +209,7 @@ private:
             if (!row) items.unexpected("a row in square brackets");
             ItemReader inside(context_, *row, Keyword::normal_map);
             const auto at = inside.maybe_number();
-            Block normal;
-            normal.keyword = Keyword::normal;
-            normal.where = row->where;
-            normal.version = block_.version;
-            normal.defaults = block_.defaults;
-            normal.items.assign(row->items.begin() + (at ? 1 : 0), row->items.end());
+            const Block normal = block_of_row(*row, at ? 1 : 0, Keyword::normal, block_);
             entries_.push_back({at.value_or(1), read_normal(context_, normal, nullptr)});
         }
     }

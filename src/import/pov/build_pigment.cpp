@@ -30,17 +30,13 @@ std::shared_ptr<const Pigment> read_shared(BuildContext& context, const Block& b
 }
 
 /// `[0.3 rgb 1]`, `[0.3 pigment items]` or the older `[0.3 0.5 color A color B]`.
-void read_row(BuildContext& context, const Row& row, Keyword map, PigmentEntries& entries) {
-    ItemReader items(context, row, map);
-    if (map == Keyword::pigment_map) {
+void read_row(BuildContext& context, const Row& row, const Block& map, PigmentEntries& entries) {
+    ItemReader items(context, row, map.keyword);
+    if (map.keyword == Keyword::pigment_map) {
         // In an average the number is a weight, which may be left out.
         const std::optional<double> given = items.maybe_number();
         const float at = given ? static_cast<float>(*given) : 1.0F;
-        const auto rest = std::make_shared<Block>();
-        rest->keyword = Keyword::pigment;
-        rest->where = row.where;
-        rest->items.assign(row.items.begin() + (given ? 1 : 0), row.items.end());
-        entries.push_back({at, {}, read_shared(context, *rest)});
+        entries.push_back({at, {}, read_shared(context, block_of_row(row, given ? 1 : 0, Keyword::pigment, map))});
         return;
     }
     const auto at = static_cast<float>(items.number("the place of a color in its map"));
@@ -67,7 +63,7 @@ PigmentEntries read_map(BuildContext& context, const Block& block) {
         if (const auto base = items.take_block(block.keyword)) {
             entries = read_map(context, *base);
         } else if (const auto row = items.take_row()) {
-            read_row(context, *row, block.keyword, entries);
+            read_row(context, *row, block, entries);
         } else {
             items.unexpected("a row in square brackets");
         }

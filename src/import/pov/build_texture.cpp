@@ -171,12 +171,7 @@ private:
             // In an average the number is a weight, which may be left out.
             const std::optional<double> given = inside.maybe_number();
             const float at = given ? static_cast<float>(*given) : 1.0F;
-            Block texture;
-            texture.keyword = Keyword::texture;
-            texture.where = row->where;
-            texture.version = block_.version;
-            texture.defaults = block_.defaults;
-            texture.items.assign(row->items.begin() + (given ? 1 : 0), row->items.end());
+            const Block texture = block_of_row(*row, given ? 1 : 0, Keyword::texture, block_);
             entries_.push_back({at, TextureBlockReader(owner_, texture).read()});
         }
     }

@@ -4,14 +4,11 @@
 #include <numbers>
 #include <utility>
 
+#include "base/srgb.h"
 #include "import/pov/functions.h"
 
 namespace sundog::pov {
 namespace {
-
-double linear_of_srgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
@@ -52,7 +49,7 @@ Value color_of(Keyword form, const Value& vector, double assumed_gamma) {
     if (has_transmit && !has_filter && color.count < kColorComponents) std::swap(color.v[3], color.v[4]);
     if (form == K::srgb || form == K::srgbf || form == K::srgbt || form == K::srgbft)
         for (std::size_t i = 0; i < 3; ++i) {
-            color.v[i] = linear_of_srgb(color.v[i]);
+            color.v[i] = linear_from_srgb(color.v[i]);
             if (assumed_gamma != 1 && color.v[i] > 0) color.v[i] = std::pow(color.v[i], 1 / assumed_gamma);
         }
     color.count = kColorComponents;

@@ -78,6 +78,9 @@ FN float area_share(uint index, uint count) {
     return upper > lower ? share * 0.5f : share;
 }
 
+/// Where light number `index` of a row of `count` stands: -1/2 to 1/2; 0 for a single one.
+FN float place_in_row(uint index, uint count) { return count > 1u ? float(index) / float(count - 1u) - 0.5f : 0.0f; }
+
 /// Where an area light's point (s, t) in [-1/2, 1/2]^2 stands, seen from a point.
 FN real3 area_light_place(Light light, float s, float t, real3 to_light) {
     if ((light.flags & LIGHT_CIRCULAR) != 0u) {

@@ -75,9 +75,8 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
         real3 most = real3(real(-1.0e30f));
         for (uint i = 0u; i < steps_u * steps_v; i = i + 1u) {
             if (is_area) {
-                float s = steps_u > 1u ? float(i % steps_u) / float(steps_u - 1u) - 0.5f : 0.0f;
-                float t = steps_v > 1u ? float(i / steps_u) / float(steps_v - 1u) - 0.5f : 0.0f;
-                real3 place = area_light_place(light, s, t, to_light);
+                real3 place = area_light_place(light, place_in_row(i % steps_u, steps_u),
+                                               place_in_row(i / steps_u, steps_v), to_light);
                 if (light.kind == LIGHT_SUN) {
                     shadow.direction = normalize(place);
                 } else {

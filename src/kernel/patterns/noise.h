@@ -23,6 +23,9 @@ FN word hash_word(word x) {
 /// Bits 0..9 of a word as a number in [-1, 1].
 FN real signed_unit(word bits) { return real_from_word(bits & word(1023u)) * 0.00195503421f - 1.0f; }
 
+/// The hash of a lattice point.
+FN word lattice_hash(word x, word y, word z) { return hash_word(hash_word(hash_word(z) + y) + x); }
+
 /// What a lattice point adds at an offset from it: `gradient_share` of its gradient's slope, `value_share` of its
 /// value.
 FN real lattice_noise(word hash, real3 offset, float gradient_share, float value_share) {
@@ -48,9 +51,7 @@ FN real lattice_sum(real3 p, uint seed, float gradient_share, float value_share)
         uint dx = corner & 1u;
         uint dy = (corner >> 1u) & 1u;
         uint dz = corner >> 2u;
-        word hash = hash_word(z0 + word(dz + seed));
-        hash = hash_word(hash + y0 + word(dy));
-        hash = hash_word(hash + x0 + word(dx));
+        word hash = lattice_hash(x0 + word(dx), y0 + word(dy), z0 + word(dz + seed));
         real3 offset = real3(f.x - float(dx), f.y - float(dy), f.z - float(dz));
         real weight = (dx == 1u ? sx : 1.0f - sx) * (dy == 1u ? sy : 1.0f - sy) * (dz == 1u ? sz : 1.0f - sz);
         sum = sum + weight * lattice_noise(hash, offset, gradient_share, value_share);
@@ -58,13 +59,19 @@ FN real lattice_sum(real3 p, uint seed, float gradient_share, float value_share)
     return sum;
 }
 
+/// Mean and standard deviation of noise_value().
+FN float noise_mean(uint generator) { return generator == 1u ? 0.481f : generator == 2u ? 0.506f : 0.489f; }
+FN float noise_deviation(uint generator) { return generator == 1u ? 0.232f : generator == 2u ? 0.117f : 0.151f; }
+
+/// noise_value()'s share of slopes (of values it is 1), and one over the standard deviation of the sum of such shares.
+const float NOISE_SLOPE_SHARE = 1.7f;
+const float NOISE_SUM_SCALE = 2.068f;
+
 /// Noise between 0 and 1 for POV-Ray's noise generators 1 (wide, cut off at both ends), 2 (kept within) and 3
 /// (Perlin's).
 FN real noise_value(real3 p, uint generator) {
-    float mean = generator == 1u ? 0.481f : generator == 2u ? 0.506f : 0.489f;
-    float spread = generator == 1u ? 0.232f : generator == 2u ? 0.117f : 0.151f;
-    // 2.068: one over the standard deviation of the sum of these shares.
-    return clamp(mean + spread * (2.068f * lattice_sum(p, 0u, 1.7f, 1.0f)), real(0.0f), real(1.0f));
+    real sum = NOISE_SUM_SCALE * lattice_sum(p, 0u, NOISE_SLOPE_SHARE, 1.0f);
+    return clamp(noise_mean(generator) + noise_deviation(generator) * sum, real(0.0f), real(1.0f));
 }
 
 /// Three independent noises of mean 0 and standard deviation 0.243.
@@ -114,9 +121,9 @@ FN real folded_noise(real3 p, uint octaves, float first, uint generator) {
 
 /// A random number in [0, 1) for each cell of the integer lattice.
 FN word cell_hash(real3 cell, uint seed) {
-    word hash = hash_word(word_from_real(clamp(cell.z + 8388608.0f, real(0.0f), real(16777214.0f))) + word(seed));
-    hash = hash_word(hash + word_from_real(clamp(cell.y + 8388608.0f, real(0.0f), real(16777214.0f))));
-    return hash_word(hash + word_from_real(clamp(cell.x + 8388608.0f, real(0.0f), real(16777214.0f))));
+    return lattice_hash(word_from_real(clamp(cell.x + 8388608.0f, real(0.0f), real(16777214.0f))),
+                        word_from_real(clamp(cell.y + 8388608.0f, real(0.0f), real(16777214.0f))),
+                        word_from_real(clamp(cell.z + 8388608.0f, real(0.0f), real(16777214.0f))) + word(seed));
 }
 
 /// Distance to the second nearest of points strewn one a cell, less the distance to the nearest (Worley, A Cellular

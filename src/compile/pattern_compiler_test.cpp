@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pigments compiled to programs and run by the kernel, one point at a time.
-#include "compile/patterns.h"
+#include "compile/pattern_compiler.h"
 
 #include "compile/compile.h"
 
