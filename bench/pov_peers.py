@@ -4,6 +4,8 @@
 
     bench/pov_peers.py shapes  [--only NAME,...]     a scene for each kind of shape
     bench/pov_peers.py files   FILE.pov ...          scenes of your own (each from its own folder)
+    bench/pov_peers.py examples [FOLDER]             all scenes under povray-examples' folder on which povray takes more
+                                                     than --at-least seconds, and the means of each kind of scene
     bench/pov_peers.py large   [--only NAME,...]     a million spheres, a mesh of many megabytes: parsing and memory
 
 Times are processor seconds (user and system) and wall seconds of the whole program; memory is the peak resident set.
@@ -13,6 +15,8 @@ import argparse
 import math
 import os
 import pathlib
+import re
+import resource
 import sys
 import tempfile
 import time
@@ -102,12 +106,27 @@ LARGE = {
 }
 
 
-def measure(command, folder):
-    """Runs a command; (processor seconds, wall seconds, peak MiB), or None if it fails."""
+EXAMPLES = "/usr/share/doc/povray/examples"
+
+# Kinds of scenes with means of their own, by what their text says.
+KINDS = {
+    "media": r"\b(media|scattering)\s*\{",
+    "radiosity": r"\bradiosity\s*\{",
+    "photons": r"\bphotons\s*\{",
+    "isosurface": r"\bisosurface\b",
+    "area light": r"\barea_light\b",
+}
+
+
+def measure(command, folder, limit=0):
+    """Runs a command; (processor seconds, wall seconds, peak MiB), or None if it fails or takes more than `limit` processor
+    seconds (0: any number)."""
     start = time.monotonic()
     child = os.fork()
     if child == 0:
         os.chdir(folder)
+        if limit:
+            resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
         null = os.open(os.devnull, os.O_RDWR)
         for stream in (0, 1, 2):
             os.dup2(null, stream)
@@ -121,16 +140,17 @@ def measure(command, folder):
     return usage.ru_utime + usage.ru_stime, time.monotonic() - start, usage.ru_maxrss / 1024
 
 
-def compare(name, scene, folder, options, with_memory=False):
-    """Prints a row of the table; returns povray's time to sundog's, or None."""
+def compare(name, scene, folder, options, with_memory=False, povray_first=None):
+    """Prints a row of the table; returns povray's time to sundog's, or None. `povray_first`: povray's first round, already taken."""
     switches = options.switches.split() + [f"+WT{options.threads}", f"+I{scene}", "-D", "-P"]
     with tempfile.TemporaryDirectory() as output:
         sides = {"sundog": options.sundog.split() + switches + [f"+O{output}/sundog.png"],
                  "povray": ["povray"] + switches + [f"+O{output}/povray.png"]}
         best = {}
-        for _ in range(options.rounds):
+        for turn in range(options.rounds):
             for side, command in sides.items():
-                taken = measure(command, folder)
+                known = povray_first if side == "povray" and turn == 0 else None
+                taken = known or measure(command, folder, options.limit)
                 if taken is None:
                     print(f"{name:<32} {side} fails: {' '.join(command)}")
                     return None
@@ -145,15 +165,48 @@ def compare(name, scene, folder, options, with_memory=False):
     return ratio, theirs[1] / ours[1]
 
 
+def print_mean(name, ratios):
+    means = [math.exp(sum(math.log(r[i]) for r in ratios) / len(ratios)) for i in (0, 1)]
+    slower = sum(r[1] < 1 for r in ratios)
+    print(f"{name}: geometric mean of {len(ratios)}: {means[0]:.2f} by processor time, {means[1]:.2f} by wall time; {slower} slower")
+
+
+def compare_examples(folder, options):
+    """A row for each scene on which povray takes long enough, and the means of each kind; the ratios of all."""
+    ratios, kinds = [], {kind: [] for kind in KINDS}
+    for path in sorted(folder.rglob("*.pov")):
+        name = str(path.relative_to(folder).with_suffix(""))
+        if options.only and not any(part in name for part in options.only.split(",")):
+            continue
+        switches = options.switches.split() + [f"+WT{options.threads}", f"+I{path.name}", "-D", "-P"]
+        with tempfile.TemporaryDirectory() as output:
+            first = measure(["povray"] + switches + [f"+O{output}/povray.png"], path.parent, options.limit)
+        if first is None or first[1] < options.at_least:
+            continue
+        ratio = compare(name[-32:], path.name, path.parent, options, povray_first=first)
+        if ratio:
+            ratios.append(ratio)
+            text = path.read_text(encoding="latin-1")
+            for kind, words in KINDS.items():
+                if re.search(words, text):
+                    kinds[kind].append(ratio)
+    for kind, of_kind in kinds.items():
+        if of_kind:
+            print_mean(kind, of_kind)
+    return ratios
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["shapes", "files", "large"])
+    parser.add_argument("what", choices=["shapes", "files", "examples", "large"])
     parser.add_argument("scenes", nargs="*")
     parser.add_argument("--sundog", default="build/release/apps/sundog/sundog pov", help="our command")
     parser.add_argument("--only", help="names of scenes, with commas between them")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--switches", help="default: +W640 +H480 +A0.3; for large +W64 +H48 -A")
+    parser.add_argument("--at-least", type=float, default=1, help="examples: povray's least wall seconds")
+    parser.add_argument("--limit", type=int, default=0, help="processor seconds after which a program is stopped; 0: none")
     parser.add_argument("--keep", help="folder to write the scenes into")
     options = parser.parse_args()
     options.switches = options.switches or ("+W64 +H48 -A" if options.what == "large" else "+W640 +H480 +A0.3")
@@ -170,6 +223,8 @@ def main():
             for scene in options.scenes:
                 path = pathlib.Path(scene).resolve()
                 ratios.append(compare(path.stem[:32], path.name, path.parent, options))
+        elif options.what == "examples":
+            ratios = compare_examples(pathlib.Path(options.scenes[0] if options.scenes else EXAMPLES), options)
         else:
             bodies = SHAPES if options.what == "shapes" else LARGE
             wanted = [n.strip() for n in options.only.split(",")] if options.only else list(bodies)
@@ -183,8 +238,7 @@ def main():
                 del text
     ratios = [r for r in ratios if r]
     if ratios:
-        means = [math.exp(sum(math.log(r[i]) for r in ratios) / len(ratios)) for i in (0, 1)]
-        print(f"geometric mean of {len(ratios)}: {means[0]:.2f} by processor time, {means[1]:.2f} by wall time")
+        print_mean("all", ratios)
     return 0
 
 
