@@ -35,6 +35,7 @@ public:
         if (!(enter.t < leave.t)) return false;
         return append_interval(enter, leave, range, out);
     }
+    [[nodiscard]] bool is_quick() const override { return true; }
     [[nodiscard]] bool inside(Vec3d p) const override {
         return p.x > box_.lower.x && p.x < box_.upper.x && p.y > box_.lower.y && p.y < box_.upper.y &&
                p.z > box_.lower.z && p.z < box_.upper.z;

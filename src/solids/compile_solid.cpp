@@ -102,6 +102,7 @@ private:
         // A solid's surface is where inside and outside meet.
         if (!bounds.inside.empty()) bounds.surface = common(bounds.surface, common(bounds.inside, bounds.outside));
         out_->nodes_[index].first = static_cast<std::uint32_t>(out_->leaves_.size());
+        out_->nodes_[index].quick = leaf.shape->is_quick();
         out_->leaves_.push_back(std::move(leaf));
         return bounds;
     }

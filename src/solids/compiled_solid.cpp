@@ -15,14 +15,23 @@ double coincidence_tolerance(const Ray& ray, double t) {
     return kCoincident * (std::abs(t) + std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction)));
 }
 
+/// `part` of a range with room for rounding at both ends.
+Range widened(Range part, const Ray& ray, Range whole) {
+    return {std::max(whole.lower, part.lower - 10 * coincidence_tolerance(ray, part.lower)),
+            std::min(whole.upper, part.upper + 10 * coincidence_tolerance(ray, part.upper))};
+}
+
 }  // namespace
 
 bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, EventList& out) const {
     const Node& node = nodes_[index];
-    if (clip(node.active, ray, range).empty()) return node.state_beyond;
+    const Range reach = clip(node.active, ray, range);
+    if (reach.empty()) return node.state_beyond;
     const std::size_t first = out.size();
-    const bool starts_inside = node.combination == Combination::leaf ? leaf_events(node, ray, range, out)
-                                                                     : group_events(node, ray, range, out);
+    // A group's children may go far beyond what the group lets be seen of them: they are asked for that alone.
+    const bool starts_inside = node.combination == Combination::leaf
+                                   ? leaf_events(node, ray, range, out)
+                                   : group_events(node, ray, widened(reach, ray, range), out);
     if (!node.inverted) return starts_inside;
     for (std::size_t i = first; i < out.size(); ++i) {
         Event& e = out[i];
@@ -160,38 +169,68 @@ struct CompiledSolid::Sweep {
     }
 };
 
-/// Adds a child's events; false if they make the node's outcome certain: nowhere inside, and nothing to be seen.
-bool CompiledSolid::child_events(const Node& node, std::uint32_t child, const Ray& ray, Range range, EventList& all,
-                                 ChildStates& states) const {
+/// Adds the events of children[place]; false if they make an intersection's outcome certain: nowhere inside, and
+/// nothing to be seen.
+bool CompiledSolid::child_events(const Node& node, const ChildList& children, std::size_t place, const Ray& ray,
+                                 Range range, EventList& all, ChildStates& states) const {
     const std::size_t first = all.size();
-    const bool is_inside = events(node.first + child, ray, range, all);
-    const auto tag = static_cast<std::uint32_t>(states.size());
-    states.push_back({is_inside, is_inside});
-    for (std::size_t i = first; i < all.size(); ++i) all[i].child = tag;
-    const bool is_common = node.combination == Combination::common || node.combination == Combination::clipped;
-    return is_inside || all.size() > first || !is_common;
+    const bool is_inside = events(node.first + children[place], ray, range, all);
+    states[place] = {is_inside, is_inside};
+    for (std::size_t i = first; i < all.size(); ++i) all[i].child = static_cast<std::uint32_t>(place);
+    return is_inside || all.size() > first;
+}
+
+/// All children's events where only what is inside of all matters; false if nothing is. Quick shapes come first, and
+/// the others are asked for what lies inside of those: what they are elsewhere can't be seen, nor make the whole
+/// inside.
+bool CompiledSolid::common_events(const Node& node, const ChildList& children, const Ray& ray, Range range,
+                                  EventList& all, ChildStates& states) const {
+    Range inside_quick = range;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        if (!nodes_[node.first + children[i]].quick) continue;
+        const std::size_t first = all.size();
+        if (!child_events(node, children, i, ray, range, all, states)) return false;
+        Range hull{states[i].before ? range.lower : kInfinity, range.upper};
+        for (std::size_t e = first; e < all.size(); ++e) {
+            if (!all[e].toggles) hull.lower = range.lower;  // A surface that bounds nothing.
+            else if (all[e].inside_after) hull.lower = std::min(hull.lower, all[e].crossing.t);
+            hull.upper = all[e].toggles && !all[e].inside_after ? all[e].crossing.t : range.upper;
+        }
+        inside_quick.lower = std::max(inside_quick.lower, hull.lower);
+        inside_quick.upper = std::min(inside_quick.upper, hull.upper);
+    }
+    if (inside_quick.lower == kInfinity) return false;
+    const Range part = widened(inside_quick, ray, range);
+    if (part.empty()) return false;
+    for (std::size_t i = 0; i < children.size(); ++i)
+        if (!nodes_[node.first + children[i]].quick && !child_events(node, children, i, ray, part, all, states))
+            return false;
+    return true;
 }
 
 bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
-    EventList all;
-    ChildStates states;
     const bool is_common = node.combination == Combination::common || node.combination == Combination::clipped;
+    ChildList children;
     std::size_t unmet_inside = 0;
     if (node.tree == kNoTree) {
-        for (std::uint32_t child = 0; child < node.count; ++child)
-            if (!child_events(node, child, ray, range, all, states)) return false;
+        for (std::uint32_t child = 0; child < node.count; ++child) children.push_back(child);
     } else {
         // In the children's order, which decides among faces that coincide.
-        SmallVector<std::uint32_t, 32> met;
         Range whole = range;
-        trees_[node.tree].along(ray, whole, [&](std::uint32_t child) { met.push_back(child); });
-        std::sort(met.begin(), met.end());
+        trees_[node.tree].along(ray, whole, [&](std::uint32_t child) { children.push_back(child); });
+        std::sort(children.begin(), children.end());
         unmet_inside = node.always_inside;
-        for (const std::uint32_t child : met)
+        for (const std::uint32_t child : children)
             if (nodes_[node.first + child].state_beyond) --unmet_inside;
-        if (is_common && node.count - met.size() != unmet_inside) return false;
-        for (const std::uint32_t child : met)
-            if (!child_events(node, child, ray, range, all, states)) return false;
+        if (is_common && node.count - children.size() != unmet_inside) return false;
+    }
+    EventList all;
+    ChildStates states;
+    for (std::size_t i = 0; i < children.size(); ++i) states.push_back({});
+    if (is_common) {
+        if (!common_events(node, children, ray, range, all, states)) return false;
+    } else {
+        for (std::size_t i = 0; i < children.size(); ++i) child_events(node, children, i, ray, range, all, states);
     }
     std::size_t inside = unmet_inside;
     for (const ChildState& s : states) inside += s.before ? 1 : 0;

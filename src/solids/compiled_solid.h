@@ -46,6 +46,7 @@ public:
         Combination combination = Combination::leaf;
         bool inverted = false;
         bool state_beyond = false;  ///< Whether points off `active` are inside.
+        bool quick = false;         ///< A shape that is_quick().
         std::uint32_t first = 0;    ///< Into leaves, or into nodes: the first child; siblings are neighbours.
         std::uint32_t count = 0;
         std::uint32_t tree = kNoTree;     ///< Into trees: over the children's `active` boxes, where there are many.
@@ -87,6 +88,7 @@ private:
         bool before = false, after = false;
     };
     using ChildStates = SmallVector<ChildState, 16>;
+    using ChildList = SmallVector<std::uint32_t, 32>;
     struct Sweep;
 
     bool events(std::uint32_t node, const Ray& ray, Range range, EventList& out) const;
@@ -94,8 +96,10 @@ private:
                                  bool inside_before) const;
     void first_leaf_event(const Node& node, const Ray& ray, Range range, EventList& out) const;
     bool leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
-    bool child_events(const Node& node, std::uint32_t child, const Ray& ray, Range range, EventList& all,
-                      ChildStates& states) const;
+    bool child_events(const Node& node, const ChildList& children, std::size_t place, const Ray& ray, Range range,
+                      EventList& all, ChildStates& states) const;
+    bool common_events(const Node& node, const ChildList& children, const Ray& ray, Range range, EventList& all,
+                       ChildStates& states) const;
     bool group_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
     void nearest_event(std::uint32_t node, const Ray& ray, Range& range, std::optional<Event>& best) const;
     [[nodiscard]] bool any_event(std::uint32_t node, const Ray& ray, Range range) const;

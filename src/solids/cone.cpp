@@ -59,6 +59,7 @@ public:
         const bool in_second = append_clipped(later(enter, second), leave, range, out);
         return in_first || in_second;
     }
+    [[nodiscard]] bool is_quick() const override { return true; }
     [[nodiscard]] bool inside(Vec3d p) const override {
         const double z = dot(p - base_, axis_);
         if (!(z > 0 && z < height_)) return false;

@@ -98,6 +98,7 @@ public:
         }
         return at_start < 0;
     }
+    [[nodiscard]] bool is_quick() const override { return order_ <= 2; }
     [[nodiscard]] bool inside(Vec3d p) const override { return value(p) < 0; }
     [[nodiscard]] Vec3d normal(Vec3d p, const Crossing&) const override {
         Vec3d gradient;
@@ -202,7 +203,7 @@ private:
         roots.push_back(std::min(s0, s1));
         roots.push_back(std::max(s0, s1));
     }
-    /// An ellipsoid along the axes is finite; others may not be.
+    /// Ellipsoids and cylinders along the axes are finite across these; others may have no end anywhere.
     [[nodiscard]] Bounds3d own_bounds() const {
         Vec3d square;
         Vec3d linear;
@@ -211,15 +212,28 @@ private:
             const unsigned degree = t.x + t.y + t.z;
             const std::size_t axis = t.x > 0 ? 0 : t.y > 0 ? 1 : 2;
             const unsigned exponent = axis == 0 ? t.x : axis == 1 ? t.y : t.z;
+            if (t.coefficient == 0) continue;
             if (degree > 2 || (degree > 0 && exponent != degree)) return everywhere();
             (degree == 0 ? constant : degree == 1 ? linear[axis] : square[axis]) = t.coefficient;
         }
-        if (!(square.x > 0 && square.y > 0 && square.z > 0)) return everywhere();
-        const Vec3d center{-linear.x / (2 * square.x), -linear.y / (2 * square.y), -linear.z / (2 * square.z)};
-        const double level = dot(square, center * center) - constant;
-        if (!(level > 0)) return {};
-        const Vec3d reach{std::sqrt(level / square.x), std::sqrt(level / square.y), std::sqrt(level / square.z)};
-        return {center - reach, center + reach};
+        // Of the sum of square*(p - center)^2 that `level` is.
+        Vec3d center;
+        double level = -constant;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (square[axis] < 0 || (square[axis] == 0 && linear[axis] != 0)) return everywhere();
+            if (square[axis] == 0) continue;
+            center[axis] = -linear[axis] / (2 * square[axis]);
+            level += square[axis] * center[axis] * center[axis];
+        }
+        if (!(level > 0)) return square == Vec3d{} ? everywhere() : Bounds3d{};
+        Bounds3d bounds = everywhere();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (square[axis] == 0) continue;
+            const double reach = std::sqrt(level / square[axis]);
+            bounds.lower[axis] = center[axis] - reach;
+            bounds.upper[axis] = center[axis] + reach;
+        }
+        return bounds;
     }
 
     std::vector<Term> terms_;

@@ -39,6 +39,9 @@ public:
     /// Boxes around all that is inside, and around all that is not.
     [[nodiscard]] virtual Bounds3d inside_bounds(const Affine3d& m) const { return bounds(m); }
     [[nodiscard]] virtual Bounds3d outside_bounds(const Affine3d&) const { return everywhere(); }
+    /// Whether crossings cost next to nothing: asked first, they may tell that other shapes needn't be, or not all
+    /// along.
+    [[nodiscard]] virtual bool is_quick() const { return false; }
     /// Texture coordinates as POV-Ray's uv_mapping has them (reference, section 3.4.6.7.1); 0 where it has none.
     [[nodiscard]] virtual std::array<double, 2> uv(Vec3d, const Crossing&) const { return {0, 0}; }
     /// The material of a part with one of its own (a mesh's triangle), into Scene::materials.

@@ -116,6 +116,29 @@ private:
         return starts_inside;
     }
 
+    /// A place on a ray with what its coordinates have in the formula: |x|^p, |y|^p, |z|^q. They are monotone in the
+    /// coordinates, so the least and most of two places bound the surface's value between them.
+    struct Place {
+        double t = 0;
+        Vec3d size;   ///< |x|, |y|, |z|
+        Vec3d terms;  ///< |x|^p, |y|^p, |z|^q
+        double f = 0;
+    };
+    /// Below 0 inside.
+    [[nodiscard]] double of_terms(Vec3d terms) const {
+        const double around = terms.x + terms.y;
+        return (p_ == q_ ? around : std::pow(around, q_ / p_)) + terms.z - 1;
+    }
+    [[nodiscard]] Place place(const Ray& ray, double t) const {
+        Place at;
+        at.t = t;
+        const Vec3d p = ray.at(t);
+        at.size = {std::abs(p.x), std::abs(p.y), std::abs(p.z)};
+        at.terms = {std::pow(at.size.x, p_), std::pow(at.size.y, p_), std::pow(at.size.z, q_)};
+        at.f = of_terms(at.terms);
+        return at;
+    }
+
     bool subdivided_crossings(const Ray& ray, Range in_box, Range range, CrossingList& out) const {
         // Between the places where a coordinate is 0, all coordinates' magnitudes are monotone.
         SmallVector<double, 5> cuts;
@@ -126,44 +149,63 @@ private:
         }
         cuts.push_back(in_box.upper);
         std::sort(cuts.begin(), cuts.end());
+        const Place first = place(ray, cuts[0]);
+        Place from = first;
         for (std::size_t i = 1; i < cuts.size(); ++i) {
-            if (cuts[i - 1] < cuts[i]) subdivide(ray, cuts[i - 1], cuts[i], 0, range, out);
+            const Place to = place(ray, cuts[i]);
+            if (from.t < to.t) subdivide(ray, from, to, 0, range, out);
+            from = to;
         }
-        return value(ray.at(in_box.lower)) < 1;
+        return first.f < 0;
     }
-    void subdivide(const Ray& ray, double a, double b, int depth, Range range, CrossingList& out) const {
-        const Vec3d pa = ray.at(a);
-        const Vec3d pb = ray.at(b);
+    void subdivide(const Ray& ray, const Place& a, const Place& b, int depth, Range range, CrossingList& out) const {
         Vec3d least;
         Vec3d most;
         bool rises = true;
         bool falls = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double u = std::abs(pa[axis]);
-            const double v = std::abs(pb[axis]);
-            least[axis] = std::min(u, v);
-            most[axis] = std::max(u, v);
-            rises = rises && u <= v;
-            falls = falls && u >= v;
+            least[axis] = std::min(a.terms[axis], b.terms[axis]);
+            most[axis] = std::max(a.terms[axis], b.terms[axis]);
+            rises = rises && a.size[axis] <= b.size[axis];
+            falls = falls && a.size[axis] >= b.size[axis];
         }
-        if (value(least) >= 1 || value(most) < 1) return;
-        const bool differ = (value(pa) < 1) != (value(pb) < 1);
+        const bool differ = (a.f < 0) != (b.f < 0);
         if (rises || falls || depth == 24) {
-            if (differ) append({bisected(ray, a, b)}, range, out);
+            if (differ) append({root_between(ray, a, b)}, range, out);
             return;
         }
-        const double middle = 0.5 * (a + b);
+        if (of_terms(least) >= 0 || of_terms(most) < 0) return;
+        const Place middle = place(ray, 0.5 * (a.t + b.t));
         subdivide(ray, a, middle, depth + 1, range, out);
         subdivide(ray, middle, b, depth + 1, range, out);
     }
-    [[nodiscard]] double bisected(const Ray& ray, double a, double b) const {
-        const bool a_inside = value(ray.at(a)) < 1;
-        for (int i = 0; i < 60; ++i) {
-            const double middle = 0.5 * (a + b);
-            if ((value(ray.at(middle)) < 1) == a_inside) a = middle;
-            else b = middle;
+    /// Between two places on different sides: the rule of false position, where an end that stays gets half its value
+    /// (the Illinois variant; Dowell & Jarratt: A Modified Regula Falsi Method, BIT 11, 1971), and halving if that is
+    /// slow.
+    [[nodiscard]] double root_between(const Ray& ray, const Place& a, const Place& b) const {
+        double lower = a.t;
+        double upper = b.t;
+        double at_lower = a.f;
+        double at_upper = b.f;
+        int stayed = 0;  // steps for which the lower (negative) or the upper (positive) end has stayed
+        for (int i = 0; i < 120 && upper - lower > 4e-16 * std::abs(upper); ++i) {
+            double t = lower - at_lower * (upper - lower) / (at_upper - at_lower);
+            if (i % 4 == 3 || !(t > lower && t < upper)) t = 0.5 * (lower + upper);
+            const double f = place(ray, t).f;
+            if (std::abs(f) < 1e-15) return t;
+            if ((f < 0) == (a.f < 0)) {
+                lower = t;
+                at_lower = f;
+                stayed = std::max(stayed, 0) + 1;
+                if (stayed > 1) at_upper *= 0.5;
+            } else {
+                upper = t;
+                at_upper = f;
+                stayed = std::min(stayed, 0) - 1;
+                if (stayed < -1) at_lower *= 0.5;
+            }
         }
-        return 0.5 * (a + b);
+        return 0.5 * (lower + upper);
     }
     static void append(const Crossing& c, Range range, CrossingList& out) {
         if (range.contains(c.t)) out.push_back(c);
