@@ -53,6 +53,34 @@ TEST(Csg, LawsOfSets) {
     expect_same(united({kA, kB, kC}), united({kB, kC, kA}), 9);
 }
 
+// Catches slow children that are asked for too short a part of the ray: intersections, which ask quick ones first,
+// agree with merges of inverses, which ask all of them everywhere; with bounded shapes and with such that have no end.
+TEST(Csg, SlowChildrenAreAskedWhereTheyCount) {
+    const SolidPointer half_space = pointer_to(scene::HalfSpace{{0.6, 0.64, 0.48}, 0.2});
+    const SolidPointer parabola = pointer_to(
+        scene::Polynomial{4, {{4, 0, 0, 1.0}, {0, 0, 2, 0.5}, {0, 1, 0, -1.0}, {0, 0, 0, -0.3}}});  // No end along y.
+    const SolidPointer pipe = pointer_to(scene::Polynomial{2, {{2, 0, 0, 1.0}, {0, 0, 2, 1.0}, {0, 0, 0, -0.64}}});
+    const SolidPointer rounded = pointer_to(scene::Superellipsoid{0.6, 0.8});
+    const std::vector<std::vector<SolidPointer>> groups{
+        {kC, kA},
+        {kC, half_space},
+        {kC, inverted(half_space), kB},
+        {parabola, kA},
+        {parabola, half_space, inverted(pipe)},
+        {inverted(parabola), kA, inverted(kB)},
+        {kC, inverted(kA), inverted(kB)},
+        {rounded, inverted(pipe), inverted(kB)},
+        {kC, inverted(difference({kA, kC}))},
+        {moved(kC, turned({1, 0, 0}, 1.1)), merged({kA, kC}), inverted(half_space)},
+    };
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        SCOPED_TRACE(i);
+        std::vector<SolidPointer> inverses;
+        for (const SolidPointer& child : groups[i]) inverses.push_back(inverted(child));
+        expect_same(intersected(groups[i]), inverted(merged(inverses)), 20 + static_cast<unsigned>(i));
+    }
+}
+
 // Catches states that get out of step along the ray.
 TEST(Csg, Properties) {
     expect_solid_properties(*difference({kA, kB, kC}), 1);
