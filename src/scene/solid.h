@@ -149,6 +149,9 @@ struct Solid {
     std::uint32_t interior_material = kInherited;  ///< interior_texture: seen from inside.
     std::vector<std::shared_ptr<const Solid>>
         clipped_by;  ///< Only what lies inside all of them is there. Parent's space.
+    /// Of a shape that has no end by itself: rays that pass by these don't meet it (the renderer may take boxes around
+    /// them). Parent's space.
+    std::vector<std::shared_ptr<const Solid>> bounded_by;
     bool cutaway_textures = false;
 };
 

@@ -52,20 +52,4 @@ Bounds3d padded(const Bounds3d& b) {
     return out;
 }
 
-Range clip(const Bounds3d& b, const Ray& ray, Range range) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double o = ray.origin[axis];
-        const double d = ray.direction[axis];
-        if (d == 0) {
-            if (o < b.lower[axis] || o > b.upper[axis]) return {1, 0};
-            continue;
-        }
-        const double t0 = (b.lower[axis] - o) / d;
-        const double t1 = (b.upper[axis] - o) / d;
-        range.lower = std::max(range.lower, std::min(t0, t1));
-        range.upper = std::min(range.upper, std::max(t0, t1));
-    }
-    return range;
-}
-
 }  // namespace sundog::solids

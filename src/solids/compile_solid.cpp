@@ -74,6 +74,7 @@ private:
             if (const auto* group = std::get_if<scene::SolidGroup>(&solid.shape))
                 bounds = place_group(index, placed, *group, depth);
             else bounds = place_leaf(index, placed);
+            if (!solid.bounded_by.empty() && !is_finite(joined(bounds.inside, bounds.surface))) set_gate(index, placed);
             if (solid.inverted) {
                 out_->nodes_[index].inverted = true;
                 std::swap(bounds.inside, bounds.outside);
@@ -119,6 +120,20 @@ private:
         for (const std::shared_ptr<const scene::Solid>& clip : placed.solid->clipped_by)
             children.push_back({clip.get(), placed.world_from_parent, placed.material, placed.interior_material});
         return place_children(index, Combination::clipped, children, depth);
+    }
+
+    /// A box around what a solid's `bounded_by` have in common, as the node's gate.
+    void set_gate(std::uint32_t index, const Placed& placed) {
+        Bounds3d box = everywhere();
+        for (const std::shared_ptr<const scene::Solid>& bound : placed.solid->bounded_by) {
+            SolidCompiler aside(textures_);
+            aside.out_->nodes_.emplace_back();
+            const NodeBounds b = aside.place(0, {bound.get(), placed.world_from_parent, 0, 0}, 0, true);
+            box = common(box, joined(b.inside, b.surface));
+        }
+        if (box.empty() || !is_finite(box)) return;
+        out_->nodes_[index].gate = static_cast<std::uint32_t>(out_->gates_.size());
+        out_->gates_.push_back(padded(box));
     }
 
     /// The children of a group, and in their place those of groups of its kind among them.
@@ -194,6 +209,7 @@ private:
         const Bounds3d void_reach = joined(bounds.outside, bounds.surface);
         node.state_beyond = !is_finite(reach) && !reach.empty() && (is_finite(void_reach) || void_reach.empty());
         node.active = padded(node.state_beyond ? void_reach : reach);
+        node.unbounded = node.active.lower == everywhere().lower && node.active.upper == everywhere().upper;
     }
 
     void collect_materials() {

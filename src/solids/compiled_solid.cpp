@@ -25,8 +25,9 @@ Range widened(Range part, const Ray& ray, Range whole) {
 
 bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, EventList& out) const {
     const Node& node = nodes_[index];
-    const Range reach = clip(node.active, ray, range);
+    const Range reach = node.unbounded ? range : clip(node.active, ray, range);
     if (reach.empty()) return node.state_beyond;
+    if (!passes_gate(node, ray, range)) return node.inverted;
     const std::size_t first = out.size();
     // A group's children may go far beyond what the group lets be seen of them: they are asked for that alone.
     const bool starts_inside = node.combination == Combination::leaf
@@ -181,27 +182,29 @@ bool CompiledSolid::child_events(const Node& node, const ChildList& children, st
 }
 
 /// All children's events where only what is inside of all matters; false if nothing is. Quick shapes come first, and
-/// the others are asked for what lies inside of those: what they are elsewhere can't be seen, nor make the whole
-/// inside.
+/// each child is asked for what lies inside of those before it: what it is elsewhere can't be seen, nor make the whole
+/// inside, for one of those is outside there.
 bool CompiledSolid::common_events(const Node& node, const ChildList& children, const Ray& ray, Range range,
                                   EventList& all, ChildStates& states) const {
     Range inside_quick = range;
+    Range part = range;
     for (std::size_t i = 0; i < children.size(); ++i) {
         if (!nodes_[node.first + children[i]].quick) continue;
         const std::size_t first = all.size();
-        if (!child_events(node, children, i, ray, range, all, states)) return false;
+        if (!child_events(node, children, i, ray, part, all, states)) return false;
         Range hull{states[i].before ? range.lower : kInfinity, range.upper};
         for (std::size_t e = first; e < all.size(); ++e) {
             if (!all[e].toggles) hull.lower = range.lower;  // A surface that bounds nothing.
             else if (all[e].inside_after) hull.lower = std::min(hull.lower, all[e].crossing.t);
             hull.upper = all[e].toggles && !all[e].inside_after ? all[e].crossing.t : range.upper;
         }
+        if (hull.lower <= inside_quick.lower && hull.upper >= inside_quick.upper) continue;
         inside_quick.lower = std::max(inside_quick.lower, hull.lower);
         inside_quick.upper = std::min(inside_quick.upper, hull.upper);
+        if (inside_quick.lower == kInfinity) return false;
+        part = widened(inside_quick, ray, range);
+        if (part.empty()) return false;
     }
-    if (inside_quick.lower == kInfinity) return false;
-    const Range part = widened(inside_quick, ray, range);
-    if (part.empty()) return false;
     for (std::size_t i = 0; i < children.size(); ++i)
         if (!nodes_[node.first + children[i]].quick && !child_events(node, children, i, ray, part, all, states))
             return false;
@@ -252,7 +255,7 @@ bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, 
 
 void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& range, std::optional<Event>& best) const {
     const Node& node = nodes_[index];
-    if (clip(node.active, ray, range).empty()) return;
+    if (!may_meet(node, ray, range)) return;
     if (node.combination == Combination::combined && !node.inverted) {
         if (node.tree == kNoTree)
             for (std::uint32_t child = 0; child < node.count; ++child)
@@ -283,7 +286,7 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
 
 bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) const {
     const Node& node = nodes_[index];
-    if (clip(node.active, ray, range).empty()) return false;
+    if (!may_meet(node, ray, range)) return false;
     if (node.combination == Combination::combined && !node.inverted) {
         bool found = false;
         if (node.tree == kNoTree) {

@@ -52,8 +52,10 @@ public:
         std::uint32_t tree = kNoTree;     ///< Into trees: over the children's `active` boxes, where there are many.
         std::uint32_t always_inside = 0;  ///< How many children have state_beyond.
         Bounds3d active;                  ///< Off this box there is no surface, and the inside doesn't change.
+        std::uint32_t gate = kNoGate;     ///< Into gates.
+        bool unbounded = true;            ///< `active` is everywhere.
     };
-    static constexpr std::uint32_t kNoTree = 0xffffffffU;
+    static constexpr std::uint32_t kNoTree = 0xffffffffU, kNoGate = 0xffffffffU;
 
     /// The nearest surface within `range`.
     [[nodiscard]] std::optional<Hit> nearest(const Ray& ray, Range range) const;
@@ -91,6 +93,13 @@ private:
     using ChildList = SmallVector<std::uint32_t, 32>;
     struct Sweep;
 
+    /// Whether the ray may meet the node: comes through its active box and its gate.
+    [[nodiscard]] bool may_meet(const Node& node, const Ray& ray, Range range) const {
+        return (node.unbounded || !clip(node.active, ray, range).empty()) && passes_gate(node, ray, range);
+    }
+    [[nodiscard]] bool passes_gate(const Node& node, const Ray& ray, Range range) const {
+        return node.gate == kNoGate || !clip(gates_[node.gate], ray, {range.lower, kInfinity}).empty();
+    }
     bool events(std::uint32_t node, const Ray& ray, Range range, EventList& out) const;
     [[nodiscard]] Event event_of(const Node& node, const Ray& in_shape, const Crossing& crossing,
                                  bool inside_before) const;
@@ -109,6 +118,7 @@ private:
     std::vector<Node> nodes_;  ///< The root is first.
     std::vector<Leaf> leaves_;
     std::vector<BoundsTree> trees_;
+    std::vector<Bounds3d> gates_;  ///< A ray that passes by a node's gate doesn't meet the node: POV-Ray's bounded_by.
     std::vector<std::uint32_t> materials_;
     Bounds3d surface_bounds_;
 };

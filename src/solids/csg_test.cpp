@@ -81,6 +81,31 @@ TEST(Csg, SlowChildrenAreAskedWhereTheyCount) {
     }
 }
 
+// Catches bounds that cut a shape without an end instead of letting rays pass by it, and such that act on others.
+TEST(Csg, RaysThatPassByBoundsDontMeetWhatHasNoEnd) {
+    const auto bounded = [](const SolidPointer& what) {
+        auto solid = std::make_shared<scene::Solid>(*what);
+        solid->bounded_by = {sphere({0, 0, 0}, 1)};
+        return SolidPointer(solid);
+    };
+    const SolidPointer column = pointer_to(scene::Polynomial{4, {{4, 0, 0, 1.0}, {0, 0, 4, 1.0}, {0, 0, 0, -0.0625}}});
+    const auto inverse = compile_solid(*inverted(bounded(column)), 0);
+    const auto plain = compile_solid(*bounded(column), 0);
+    const Ray beside{{-5, 3, 0}, {1, 0, 0}};       // Meets the column off the bounds.
+    const Ray across{{-5, 3, 0.2}, {1, -0.6, 0}};  // Meets it at y of 0.3 and 0, and would at all heights.
+    for (const auto& solid : {plain, inverse}) {
+        EXPECT_EQ(0U, all_hits(*solid, beside).size());
+        EXPECT_EQ(2U, all_hits(*solid, across).size());
+    }
+    EXPECT_EQ(2U, all_hits(*compile_solid(*column, 0), beside).size());
+    // A ray that comes through the bounds sees all of it.
+    const Ray along{{0.9, -2, 0.1}, {-0.2, 1, 0}};
+    const std::vector<Hit> hits = all_hits(*plain, along);
+    ASSERT_EQ(2U, hits.size());
+    EXPECT_GT(along.at(hits[1].t).y, 1.5);
+    expect_same(bounded(kB), kB, 30);
+}
+
 // Catches states that get out of step along the ray.
 TEST(Csg, Properties) {
     expect_solid_properties(*difference({kA, kB, kC}), 1);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "solids/polynomial_bounds.h"
 #include "solids/roots.h"
 #include "solids/shape.h"
 
@@ -112,7 +113,9 @@ public:
         }
         return gradient;
     }
-    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, own_bounds()); }
+    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
+        return transformed(m, order_ <= 2 ? quadric_bounds() : polynomial_bounds(terms_, order_));
+    }
 
 private:
     using Term = scene::Polynomial::Term;
@@ -204,7 +207,7 @@ private:
         roots.push_back(std::max(s0, s1));
     }
     /// Ellipsoids and cylinders along the axes are finite across these; others may have no end anywhere.
-    [[nodiscard]] Bounds3d own_bounds() const {
+    [[nodiscard]] Bounds3d quadric_bounds() const {
         Vec3d square;
         Vec3d linear;
         double constant = 0;
@@ -213,7 +216,7 @@ private:
             const std::size_t axis = t.x > 0 ? 0 : t.y > 0 ? 1 : 2;
             const unsigned exponent = axis == 0 ? t.x : axis == 1 ? t.y : t.z;
             if (t.coefficient == 0) continue;
-            if (degree > 2 || (degree > 0 && exponent != degree)) return everywhere();
+            if (degree > 0 && exponent != degree) return everywhere();
             (degree == 0 ? constant : degree == 1 ? linear[axis] : square[axis]) = t.coefficient;
         }
         // Of the sum of square*(p - center)^2 that `level` is.
@@ -246,6 +249,8 @@ private:
 ShapePointer make_shape(const scene::Polynomial& polynomial, const SourceLocation& where) {
     for (const scene::Polynomial::Term& t : polynomial.terms)
         if (std::size_t{t.x} + t.y + t.z > kMaxDegree) refuse_shape(where, "a polynomial's order is at most 35");
+    if (const std::optional<QuarticTorus> torus = as_torus(polynomial.terms); torus && torus->axis == 1)
+        return make_shape(scene::Torus{torus->major_radius, torus->minor_radius}, where);
     return std::make_shared<Polynomial>(polynomial);
 }
 

@@ -120,6 +120,7 @@ TEST(SimpleShapes, FarAwayAndTiny) {
 TEST(SimpleShapes, APolynomialAgreesWithTheShapeItDescribes) {
     const double major = 0.8, minor = 0.3;
     const double k = major * major - minor * minor;
+    // About the z axis: about the y axis it would be taken for the torus that it is.
     const scene::Polynomial quartic = polynomial({{4, 0, 0, 1},
                                                   {0, 4, 0, 1},
                                                   {0, 0, 4, 1},
@@ -127,11 +128,11 @@ TEST(SimpleShapes, APolynomialAgreesWithTheShapeItDescribes) {
                                                   {2, 0, 2, 2},
                                                   {0, 2, 2, 2},
                                                   {2, 0, 0, 2 * k - 4 * major * major},
-                                                  {0, 2, 0, 2 * k},
-                                                  {0, 0, 2, 2 * k - 4 * major * major},
+                                                  {0, 2, 0, 2 * k - 4 * major * major},
+                                                  {0, 0, 2, 2 * k},
                                                   {0, 0, 0, k * k}});
-    const auto a = compile_solid(placed(quartic), 0);
-    const auto b = compile_solid(placed(scene::Torus{major, minor}), 0);
+    const auto a = compile_solid(*pointer_to(quartic), 0);
+    const auto b = compile_solid(*moved(pointer_to(scene::Torus{major, minor}), turned({1, 0, 0}, std::acos(0.0))), 0);
     RandomRays random(3);
     for (int i = 0; i < 500; ++i) {
         const Ray ray = random.ray(2);
@@ -162,6 +163,46 @@ TEST(SimpleShapes, Quadrics) {
 }
 
 // Catches lost roots of higher orders: a sextic's properties, and an order of 12.
+// Catches bounds of closed polynomials that cut something off, or are far too wide: a torus written as a quartic, moved
+// off the origin by its odd terms, and one of the sixth order.
+TEST(SimpleShapes, ClosedPolynomialsHaveFiniteBounds) {
+    const auto torus = polynomial({{4, 0, 0, 1},
+                                   {0, 4, 0, 1},
+                                   {0, 0, 4, 1},
+                                   {2, 2, 0, 2},
+                                   {2, 0, 2, 2},
+                                   {0, 2, 2, 2},
+                                   {2, 0, 0, -2 * (64 + 2.25)},
+                                   {0, 0, 2, -2 * (64 + 2.25)},
+                                   {0, 2, 0, 2 * (64 - 2.25)},
+                                   {0, 0, 0, (64 - 2.25) * (64 - 2.25)}});
+    const auto expect_bounds = [](const scene::Polynomial& p, Vec3d lower, Vec3d upper) {
+        const Bounds3d b = compile_solid(placed(p), 0)->bounds();
+        const double room = 0.3 * length(upper - lower);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_LE(b.lower[axis], lower[axis]) << axis;
+            EXPECT_GE(b.lower[axis], lower[axis] - room) << axis;
+            EXPECT_GE(b.upper[axis], upper[axis]) << axis;
+            EXPECT_LE(b.upper[axis], upper[axis] + room) << axis;
+        }
+    };
+    expect_bounds(torus, {-9.5, -1.5, -9.5}, {9.5, 1.5, 9.5});
+    // (x - 1)^4 + y^4 + z^4 = 16
+    expect_bounds(polynomial({{4, 0, 0, 1},
+                              {3, 0, 0, -4},
+                              {2, 0, 0, 6},
+                              {1, 0, 0, -4},
+                              {0, 0, 0, 1 - 16.0},
+                              {0, 4, 0, 1},
+                              {0, 0, 4, 1}}),
+                  {-1, -2, -2}, {3, 2, 2});
+    expect_bounds({6, {{6, 0, 0, 1}, {0, 6, 0, 64}, {0, 0, 6, 1}, {0, 0, 0, -1}}}, {-1, -0.5, -1}, {1, 0.5, 1});
+    EXPECT_FALSE(
+        is_finite(compile_solid(placed(polynomial({{4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, -1}})), 0)->bounds()));
+    EXPECT_FALSE(is_finite(
+        compile_solid(placed(polynomial({{4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 4, 1}, {1, 3, 0, -3}})), 0)->bounds()));
+}
+
 TEST(SimpleShapes, PolynomialsOfHigherOrder) {
     expect_solid_properties(
         placed(polynomial({{6, 0, 0, 1}, {0, 6, 0, 1}, {0, 0, 6, 1}, {2, 2, 2, -3}, {0, 0, 0, -0.3}})), 1);

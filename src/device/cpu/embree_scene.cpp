@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "device/cpu/coincidence.h"
 #include "device/cpu/solid_callbacks.h"
 #include "kernel/shapes/box.h"
 #include "kernel/shapes/sphere.h"
@@ -191,6 +192,7 @@ void EmbreeScene::bounds_of(const RTCBoundsFunctionArguments* args) {
         b.lower_x = box.lower.x, b.lower_y = box.lower.y, b.lower_z = box.lower.z;
         b.upper_x = box.upper.x, b.upper_y = box.upper.y, b.upper_z = box.upper.z;
     }
+    make_roomy(b);
 }
 
 void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {
@@ -203,17 +205,13 @@ void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {
         if (args->valid[lane] == 0 || (RTCRayN_mask(rays, n, lane) & data.visible_to) == 0) continue;
         float t = 0;
         kernel::real3 normal;
-        const kernel::Ray ray = ray_of(rays, n, lane);
+        kernel::Ray ray = ray_of(rays, n, lane);
+        ray.t_max = reach_of(rays, n, lane);
         if (!hit_shape(*data.scene, data.geometry, args->primID, ray, culling, t, normal)) continue;
-        RTCRayN_tfar(rays, n, lane) = t;
+        if (!enter_hit(args, lane, t, normal.x, normal.y, normal.z)) continue;
         RTCHitN_u(hits, n, lane) = 0;
         RTCHitN_v(hits, n, lane) = 0;
-        RTCHitN_Ng_x(hits, n, lane) = normal.x;
-        RTCHitN_Ng_y(hits, n, lane) = normal.y;
-        RTCHitN_Ng_z(hits, n, lane) = normal.z;
-        RTCHitN_geomID(hits, n, lane) = args->geomID;
         RTCHitN_primID(hits, n, lane) = args->primID;
-        RTCHitN_instID(hits, n, lane, 0) = args->context->instID[0];
     }
 }
 

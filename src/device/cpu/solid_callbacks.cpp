@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "device/cpu/coincidence.h"
 #include "solids/compiled_solid.h"
 
 namespace sundog::cpu {
@@ -25,9 +26,9 @@ solids::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
 }
 
 /// The nearest surface in the lane's interval that isn't culled.
-std::optional<solids::Hit> nearest(const GeometryData& data, RTCRayN* rays, unsigned n, unsigned lane) {
+std::optional<solids::Hit> nearest(const GeometryData& data, RTCRayN* rays, unsigned n, unsigned lane, float reach) {
     const solids::Ray ray = ray_of(rays, n, lane);
-    solids::Range range{RTCRayN_tnear(rays, n, lane), RTCRayN_tfar(rays, n, lane)};
+    solids::Range range{RTCRayN_tnear(rays, n, lane), reach};
     std::optional<solids::Hit> hit = data.solid->nearest(ray, range);
     while (hit && data.culling && dot(hit->normal, ray.direction) >= 0 && data.opaque(hit->material)) {
         range.lower = hit->t;
@@ -44,6 +45,7 @@ void solid_bounds(const RTCBoundsFunctionArguments* args) {
     b.lower_x = rounded_down(bounds.lower.x), b.upper_x = rounded_up(bounds.upper.x);
     b.lower_y = rounded_down(bounds.lower.y), b.upper_y = rounded_up(bounds.upper.y);
     b.lower_z = rounded_down(bounds.lower.z), b.upper_z = rounded_up(bounds.upper.z);
+    make_roomy(b);
 }
 
 void intersect_solid(const RTCIntersectFunctionNArguments* args) {
@@ -53,17 +55,13 @@ void intersect_solid(const RTCIntersectFunctionNArguments* args) {
     RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
     for (unsigned lane = 0; lane < n; ++lane) {
         if (args->valid[lane] == 0 || (RTCRayN_mask(rays, n, lane) & data.visible_to) == 0) continue;
-        const std::optional<solids::Hit> hit = nearest(data, rays, n, lane);
-        if (!hit) continue;
-        RTCRayN_tfar(rays, n, lane) = static_cast<float>(hit->t);
+        const std::optional<solids::Hit> hit = nearest(data, rays, n, lane, reach_of(rays, n, lane));
+        if (!hit || !enter_hit(args, lane, static_cast<float>(hit->t), static_cast<float>(hit->normal.x),
+                               static_cast<float>(hit->normal.y), static_cast<float>(hit->normal.z)))
+            continue;
         RTCHitN_u(hits, n, lane) = static_cast<float>(hit->u);
         RTCHitN_v(hits, n, lane) = static_cast<float>(hit->v);
-        RTCHitN_Ng_x(hits, n, lane) = static_cast<float>(hit->normal.x);
-        RTCHitN_Ng_y(hits, n, lane) = static_cast<float>(hit->normal.y);
-        RTCHitN_Ng_z(hits, n, lane) = static_cast<float>(hit->normal.z);
-        RTCHitN_geomID(hits, n, lane) = args->geomID;
         RTCHitN_primID(hits, n, lane) = hit->material;
-        RTCHitN_instID(hits, n, lane, 0) = args->context->instID[0];
     }
 }
 
@@ -72,7 +70,7 @@ void occluded_by_solid(const RTCOccludedFunctionNArguments* args) {
     const unsigned n = args->N;
     for (unsigned lane = 0; lane < n; ++lane) {
         if (args->valid[lane] == 0 || (RTCRayN_mask(args->ray, n, lane) & data.visible_to) == 0) continue;
-        const bool hit = data.culling ? nearest(data, args->ray, n, lane).has_value()
+        const bool hit = data.culling ? nearest(data, args->ray, n, lane, RTCRayN_tfar(args->ray, n, lane)).has_value()
                                       : data.solid->any(ray_of(args->ray, n, lane), {RTCRayN_tnear(args->ray, n, lane),
                                                                                      RTCRayN_tfar(args->ray, n, lane)});
         if (hit) RTCRayN_tfar(args->ray, n, lane) = -INFINITY;

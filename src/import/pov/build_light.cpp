@@ -189,7 +189,8 @@ private:
         node.parent_from_shape = placed * node.parent_from_shape;
         node.texture.parent_from_texture = placed * node.texture.parent_from_texture;
         node.interior_texture.parent_from_texture = placed * node.interior_texture.parent_from_texture;
-        for (Node::Clip& clip : node.clipped_by) clip.parent_from_clip = placed * clip.parent_from_clip;
+        for (std::vector<Node::Clip>* clips : {&node.clipped_by, &node.bounded_by})
+            for (Node::Clip& clip : *clips) clip.parent_from_clip = placed * clip.parent_from_clip;
     }
 
     void finish() {

@@ -62,7 +62,7 @@ struct Node {
     TexturePointer
         fallback;  ///< #default's where the block is: an outermost object's is for all parts without a texture.
     InteriorPointer interior;
-    std::vector<Clip> clipped_by;
+    std::vector<Clip> clipped_by, bounded_by;
     bool inverted = false;
     bool hollow = false;
     bool no_shadow = false, no_image = false, no_reflection = false;

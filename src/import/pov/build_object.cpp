@@ -169,15 +169,15 @@ private:
         if (const auto bounds = items_.take_block(Keyword::bounded_by)) {
             ItemReader inside(context_, *bounds);
             if (inside.take(Keyword::clipped_by)) return true;
-            bounds_.clear();
+            node_.bounded_by.clear();
             for (NodePointer& node : read_children(objects_, inside))
-                bounds_.push_back({std::move(node), inverse(placed_from_start_)});
+                node_.bounded_by.push_back({std::move(node), inverse(placed_from_start_)});
             return true;
         }
         if (const auto clip = items_.take_block(Keyword::clipped_by)) {
             ItemReader inside(context_, *clip);
             if (inside.take(Keyword::bounded_by)) {
-                node_.clipped_by.insert(node_.clipped_by.end(), bounds_.begin(), bounds_.end());
+                node_.clipped_by.insert(node_.clipped_by.end(), node_.bounded_by.begin(), node_.bounded_by.end());
                 return true;
             }
             for (NodePointer& node : read_children(objects_, inside))
@@ -243,7 +243,8 @@ private:
         node_.parent_from_shape = placed * node_.parent_from_shape;
         node_.texture.parent_from_texture = placed * node_.texture.parent_from_texture;
         node_.interior_texture.parent_from_texture = placed * node_.interior_texture.parent_from_texture;
-        for (Node::Clip& clip : node_.clipped_by) clip.parent_from_clip = placed * clip.parent_from_clip;
+        for (std::vector<Node::Clip>* clips : {&node_.clipped_by, &node_.bounded_by})
+            for (Node::Clip& clip : *clips) clip.parent_from_clip = placed * clip.parent_from_clip;
     }
 
     ObjectReader& objects_;
@@ -255,7 +256,6 @@ private:
     /// All transformations of the block so far. What was there at the start moves with all of them; what came in
     /// between is kept as it would have stood at the start.
     Affine3d placed_from_start_;
-    std::vector<Node::Clip> bounds_;
     bool uv_mapping_ = false;
 };
 

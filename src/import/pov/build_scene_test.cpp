@@ -171,12 +171,15 @@ TEST(BuildGroup, ClipsMoveWithWhatFollowsThem) {
     const BuiltScene built = build(
         "sphere { 0, 1 translate 5*x clipped_by { box { 0, 1 } } translate y }"
         "sphere { 0, 1 bounded_by { box { 0, 1 } } clipped_by { bounded_by } }"
-        "sphere { 0, 1 bounded_by { box { 0, 1 } } }");
+        "sphere { 0, 1 bounded_by { box { 0, 1 } } }"
+        "quadric { <1, 0, 1>, <0, 0, 0>, <0, 0, 0>, -1 bounded_by { sphere { 0, 1 } } translate z }");
     ASSERT_EQ(solid(built, 0).clipped_by.size(), 1U);
     expect_near(solid(built, 0).clipped_by[0]->parent_from_shape.t, {0, 1, 0});
     expect_near(solid(built, 0).parent_from_shape.t, {5, 1, 0});
     EXPECT_EQ(solid(built, 1).clipped_by.size(), 1U);
     EXPECT_TRUE(std::holds_alternative<scene::Sphere>(built.scene.objects.at(2).shape));
+    ASSERT_EQ(solid(built, 3).bounded_by.size(), 1U);
+    expect_near(solid(built, 3).bounded_by[0]->parent_from_shape.t, {0, 0, 1});
 }
 
 TEST(BuildMesh, Mesh2KeepsIndicesNormalsAndTextures) {

@@ -123,10 +123,12 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
         if (!(around.world_from_parent == Affine3d{})) {
             auto moved = std::make_shared<Solid>(*solid);
             moved->parent_from_shape = around.world_from_parent * moved->parent_from_shape;
-            for (auto& clip : moved->clipped_by) {
-                auto moved_clip = std::make_shared<Solid>(*clip);
-                moved_clip->parent_from_shape = around.world_from_parent * moved_clip->parent_from_shape;
-                clip = std::move(moved_clip);
+            for (auto* clips : {&moved->clipped_by, &moved->bounded_by}) {
+                for (auto& clip : *clips) {
+                    auto moved_clip = std::make_shared<Solid>(*clip);
+                    moved_clip->parent_from_shape = around.world_from_parent * moved_clip->parent_from_shape;
+                    clip = std::move(moved_clip);
+                }
             }
             solid = std::move(moved);
         }
@@ -234,15 +236,19 @@ std::shared_ptr<const Solid> SceneWriter::solid_of(const Node& node, const Surro
         },
         node.shape);
     if (!drawn) return nullptr;
-    for (const Node::Clip& clip : node.clipped_by) {
-        Surroundings clip_around = around;
-        clip_around.world_from_parent = around.world_from_parent * clip.parent_from_clip;
-        auto part = solid_of(*clip.node, clip_around);
-        if (!part) continue;
-        auto placed_part = std::make_shared<Solid>(*part);
-        placed_part->parent_from_shape = clip.parent_from_clip * placed_part->parent_from_shape;
-        solid->clipped_by.push_back(std::move(placed_part));
-    }
+    const auto place_clips = [&](const std::vector<Node::Clip>& clips, auto& out) {
+        for (const Node::Clip& clip : clips) {
+            Surroundings clip_around = around;
+            clip_around.world_from_parent = around.world_from_parent * clip.parent_from_clip;
+            auto part = solid_of(*clip.node, clip_around);
+            if (!part) continue;
+            auto placed_part = std::make_shared<Solid>(*part);
+            placed_part->parent_from_shape = clip.parent_from_clip * placed_part->parent_from_shape;
+            out.push_back(std::move(placed_part));
+        }
+    };
+    place_clips(node.clipped_by, solid->clipped_by);
+    place_clips(node.bounded_by, solid->bounded_by);
     return solid;
 }
 

@@ -31,14 +31,17 @@ FN mask hit_plane(SCENE Plane plane, Ray ray, word ray_kind, mask alive, OUT(rea
     return found;
 }
 
-/// Replaces `hit` by the nearest plane where one is nearer.
+/// Replaces `hit` by the nearest plane where one is nearer, or lies at the same place (which rounding would decide,
+/// pixel by pixel) and was written before what was hit.
 FN void closest_plane(SCENE Ray ray, word ray_kind, mask alive, INOUT(Hit) hit) {
-    ray.t_max = select(hit.geometry != word(NONE), hit.t, ray.t_max);
+    const float coincident = 1e-6f;
     for (uint i = 0u; i < FRAME.plane_count; i = i + 1u) {
         Plane plane = AT(planes, i);
+        ray.t_max = select(hit.geometry != word(NONE), hit.t * (1.0f + coincident), ray.t_max);
         real t;
         mask found = hit_plane(SCENE_ plane, ray, ray_kind, alive, t);
-        ray.t_max = select(found, t, ray.t_max);
+        mask before = mask_or(word(plane.geometry) < hit.geometry, t < hit.t * (1.0f - coincident));
+        found = mask_and(found, before);
         hit.t = select(found, t, hit.t);
         hit.u = select(found, real(0.0f), hit.u);
         hit.v = select(found, real(0.0f), hit.v);
