@@ -26,6 +26,9 @@ struct Arrays {
 };
 }  // namespace render_scene_detail
 
+namespace kernel {
+class HostFields;
+}
 namespace solids {
 class CompiledSolid;
 }
@@ -45,6 +48,9 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
     std::vector<std::string> material_names;      ///< One for each of `materials`.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
+    /// Of which programs in `code` ask what only the host computes; null: none does.
+    std::shared_ptr<const kernel::HostFields> host_fields;
+    SourceLocation first_host_field;  ///< The first pattern that needs them.
 };
 
 /// Bytes of all arrays.

@@ -106,6 +106,7 @@ SceneView view_of(const TileWork& work) {
     view.lights = work.frame.lights.data();
     view.instances = work.frame.instances.data();
     view.traversal = work.traversal;
+    view.host_fields = work.scene.host_fields.get();
     return view;
 }
 

@@ -64,6 +64,11 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
     };
     for (const PlacedSolid& solid : scene.solids)
         add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
+    if (scene.host_fields) {
+        const SourceLocation& where = scene.first_host_field;
+        const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
+        sentences.push_back(place + "a pattern or a warp that only the CPU draws; use --device cpu");
+    }
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }
