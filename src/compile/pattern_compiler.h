@@ -32,7 +32,7 @@ private:
         bool transparent = false, reflective = false;
     };
     const Layers& layers_of(const scene::Material& material);
-    std::uint32_t program_of(const scene::Pigment& pigment);
+    std::uint32_t program_of(const scene::Pigment& pigment, const scene::Pigment* weight = nullptr);
     /// Where a normal's pattern has warps: the program of its point; else NONE.
     std::uint32_t point_program_of(const scene::PatternNormal& part);
     /// Gives the table of host fields to the RenderScene, once there are any.
