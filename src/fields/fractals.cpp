@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sundog::fields {
 namespace {
@@ -62,7 +63,7 @@ double fractal_value(const scene::FractalForm& form, double x, double y) {
     const Complex c = form.julia ? Complex{form.c[0], form.c[1]} : p;
     const bool is_power = form.formula == Formula::power;
     Complex z = form.julia || is_power ? p : Complex{};
-    double least_norm = norm(p);
+    double least_norm = form.julia || is_power ? norm(p) : std::numeric_limits<double>::infinity();
     const double far = is_power ? 4 : 10000;
     for (int i = 0; i < form.iterations; ++i) {
         if (is_power) z = (form.exponent == 2 ? square(z) : power(z, form.exponent)) + c;

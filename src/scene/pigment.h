@@ -112,6 +112,8 @@ struct Interior {
 /// A texture of one or more layers, the first below all others.
 struct LayeredTexture {
     std::vector<TextureLayer> layers;
+    /// Of parts: nearly the same, without parts; for what would have too many.
+    std::shared_ptr<const LayeredTexture> blended = nullptr;
 };
 
 /// A texture on an object. Objects that carry the same texture share it and differ in where it lies.

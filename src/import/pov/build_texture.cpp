@@ -64,6 +64,11 @@ void keep_depth(TextureLayer& layer) {
 namespace {
 
 void bend_texture(LayeredTexture& texture, const scene::Warp& warp) {
+    if (texture.blended) {
+        auto blended = std::make_shared<LayeredTexture>(*texture.blended);
+        bend_texture(*blended, warp);
+        texture.blended = std::move(blended);
+    }
     for (TextureLayer& layer : texture.layers) {
         if (layer.normal) {
             auto normal = std::make_shared<scene::Normal>(*layer.normal);
@@ -85,6 +90,11 @@ void bend_texture(LayeredTexture& texture, const scene::Warp& warp) {
 }  // namespace
 
 void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
+    if (texture.blended) {
+        auto blended = std::make_shared<LayeredTexture>(*texture.blended);
+        move_texture(*blended, old_from_new);
+        texture.blended = std::move(blended);
+    }
     for (TextureLayer& layer : texture.layers) {
         if (layer.normal) {
             auto normal = std::make_shared<scene::Normal>(*layer.normal);
@@ -176,6 +186,7 @@ private:
         }
         if (!changed_) own_ = *base_;
         changed_ = true;
+        own_.blended = nullptr;
         own_.layers.insert(own_.layers.end(), base->layers.begin(), base->layers.end());
     }
 
@@ -183,6 +194,7 @@ private:
     TextureLayer& top() {
         if (!changed_) own_ = base_ ? *base_ : LayeredTexture{{owner_.defaults_of(block_).layer}};
         changed_ = true;
+        own_.blended = nullptr;
         return own_.layers.back();
     }
 
@@ -331,6 +343,7 @@ TexturePointer TextureReader::default_texture(const Block& owner) { return defau
 
 TexturePointer TextureReader::changed(TexturePointer texture, const Block& block, const Block& owner) {
     LayeredTexture result = texture ? *texture : LayeredTexture{{defaults_of(owner).layer}};
+    result.blended = nullptr;
     TextureLayer& layer = result.layers.back();
     if (block.keyword == Keyword::pigment) {
         layer.pigment = std::make_shared<const Pigment>(read_pigment(context_, block, *layer.pigment));
@@ -350,6 +363,7 @@ TexturePointer TextureReader::changed(TexturePointer texture, const Block& block
 TexturePointer TextureReader::layered(const TexturePointer& under, const TexturePointer& over) {
     if (!under) return over;
     auto result = std::make_shared<LayeredTexture>(*under);
+    result->blended = nullptr;
     result->layers.insert(result->layers.end(), over->layers.begin(), over->layers.end());
     return result;
 }

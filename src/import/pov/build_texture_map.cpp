@@ -115,9 +115,6 @@ scene::LayeredTexture textures_blended(BuildContext& context, Place where, const
             normals.push_back({entry.at, has_layer ? entry.texture->layers[i].normal : nullptr});
             if (has_layer) finishes.push_back(entry.texture->layers[i].finish);
         }
-        if (!finishes_equal)
-            context.warn_once("texture_map finishes", where, "the finishes of a texture's parts are averaged",
-                              "pigments are drawn as written");
         result.layers.push_back({std::move(pigment), finishes_equal ? finishes.front() : mean(finishes),
                                  blend_normals(pattern, std::move(normals))});
     }
@@ -143,9 +140,18 @@ scene::LayeredTexture blend_textures(BuildContext& context, Place where, const s
         }
     }
     const bool simple = finishes_equal && !any_normal && layer_count == entries.size();
-    if (!simple && can_be_parts && layer_count <= kMostLayers)
-        return textures_side_by_side(context, where, pattern, entries);
-    return textures_blended(context, where, pattern, entries, finishes_equal);
+    const bool parts = !simple && can_be_parts && layer_count <= kMostLayers;
+    std::vector<TextureEntry> plain = entries;
+    for (TextureEntry& entry : plain)
+        if (entry.texture->blended) entry.texture = entry.texture->blended;
+    if (!parts && !finishes_equal)
+        context.warn_once("texture_map finishes", where, "the finishes of a texture's parts are averaged",
+                          "pigments are drawn as written");
+    scene::LayeredTexture blended = textures_blended(context, where, pattern, plain, finishes_equal);
+    if (!parts) return blended;
+    scene::LayeredTexture result = textures_side_by_side(context, where, pattern, entries);
+    result.blended = std::make_shared<const scene::LayeredTexture>(std::move(blended));
+    return result;
 }
 
 }  // namespace sundog::pov
