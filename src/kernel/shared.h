@@ -27,7 +27,8 @@ KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
 KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
 KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
-KERNEL_CONST uint RAY_ALL = 7u;
+KERNEL_CONST uint RAY_RADIOSITY = 8u;  ///< From a point whose irradiance is gathered.
+KERNEL_CONST uint RAY_ALL = 255u;
 
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
@@ -173,6 +174,8 @@ KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog or a sky sphere.
 KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
 KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
+
+KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.

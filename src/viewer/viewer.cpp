@@ -232,6 +232,7 @@ void Viewer::submit() {
     frame.max_depth = controls_.max_depth;
     frame.min_weight = options_.min_weight;
     frame.shadows = controls_.shadows;
+    frame.radiosity = false;  // Gathering it takes far longer than a frame may.
     if (const auto& own = scene_->scene.projection_camera) {
         using Kind = scene::ProjectionCamera::Kind;
         camera_.follow(camera_at(*own, aspect), own->kind == Kind::orthographic);

@@ -64,6 +64,11 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
     };
     for (const PlacedSolid& solid : scene.solids)
         add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
+    if (scene.radiosity) {
+        const SourceLocation& where = *scene.radiosity;
+        const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
+        sentences.push_back(place + "radiosity is what only the CPU computes; use --device cpu");
+    }
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }

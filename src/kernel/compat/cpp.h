@@ -46,13 +46,17 @@
 
 namespace sundog::kernel {
 
+class IndirectLight;
+
 /// What the kernel sees of a RenderScene and a Frame: plain pointers to every array (kernel/arrays.h).
 struct SceneView {
     FrameParams frame;
 #define KERNEL_ARRAY(type, name, binding) const type* name;
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
-    const void* traversal;  ///< The device's own; the kernel never looks inside.
+    const void* traversal;                    ///< The device's own; the kernel never looks inside.
+    const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
+    uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 
 }  // namespace sundog::kernel

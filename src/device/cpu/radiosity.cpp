@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "device/cpu/radiosity.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "kernel/cameras/projections.h"
+
+namespace sundog::cpu {
+namespace {
+
+constexpr int kFewestRays = 8;
+/// Points that are taken at once: as many as half of what is known, so that few are taken in vain, in these limits.
+constexpr std::size_t kFewestAtOnce = 32, kMostAtOnce = 1024;
+constexpr std::size_t kRaysAtOnce = 256;
+
+Vec3 from_kernel(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
+
+/// Unit vectors that make a frame with `n` (Duff et al., Building an Orthonormal Basis, Revisited, JCGT 2017).
+void basis_of(Vec3 n, Vec3& u, Vec3& v) {
+    const float sign = std::copysign(1.0F, n.z);
+    const float a = -1 / (sign + n.z);
+    const float b = n.x * n.y * a;
+    u = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
+    v = {b, sign + n.y * n.y * a, -n.y};
+}
+
+/// A fixed shuffling of numbers below `count`.
+std::vector<std::uint32_t> shuffled(std::size_t count) {
+    std::vector<std::uint32_t> order(count);
+    std::iota(order.begin(), order.end(), 0U);
+    const auto key = [](std::uint32_t i) {
+        std::uint64_t h = (i + 1) * 0x9e3779b97f4a7c15ULL;
+        h = (h ^ (h >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+        return h ^ (h >> 27U);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    return order;
+}
+
+}  // namespace
+
+/// Answers with what is known at one bounce. Looks for gaps: notes the points where too little is known.
+class Radiosity::Light final : public kernel::IndirectLight {
+public:
+    Light(const Radiosity& owner, int bounce, Task task, std::vector<GatherPoint>* gaps)
+        : owner_(owner), bounce_(bounce), task_(task), gaps_(gaps) {}
+
+    void answer(const kernel::SceneView&, kernel::IndirectQuery& q) const override {
+        const bool none = bounce_ >= owner_.settings_.recursion_limit;
+        for (std::size_t lane = 0; lane < static_cast<std::size_t>(q.lanes); ++lane) {
+            Vec3 light;
+            if (q.wanted[lane] != 0 && !none) {
+                const GatherPoint point{{q.x[lane], q.y[lane], q.z[lane]},
+                                        {q.normal_x[lane], q.normal_y[lane], q.normal_z[lane]},
+                                        {q.face_x[lane], q.face_y[lane], q.face_z[lane]},
+                                        q.error[lane]};
+                light = light_at(point);
+            }
+            q.red[lane] = light.x, q.green[lane] = light.y, q.blue[lane] = light.z;
+        }
+    }
+
+    [[nodiscard]] bool uses_bent_normals() const override { return owner_.settings_.bent_normals; }
+
+private:
+    [[nodiscard]] Vec3 light_at(const GatherPoint& point) const {
+        const IrradianceCache& cache = owner_.caches_[static_cast<std::size_t>(bounce_)];
+        const IrradianceCaching& settings = owner_.settings_;
+        if (gaps_ != nullptr) {
+            if (!owner_.is_covered(point, bounce_, task_)) gaps_->push_back(point);
+            return {};
+        }
+        IrradianceLookup found;
+        if (task_ == Task::shade)
+            found = cache.lookup(point.position, point.normal, settings.error_bound * settings.low_error_factor);
+        if (found.count == 0) found = cache.lookup(point.position, point.normal, settings.error_bound);
+        if (found.count > 0) return found.light;
+        // Nothing near by: a sample for this point alone, so that no other's light changes.
+        BatchRays rays;
+        return owner_.gather(point, bounce_, Task::draw, nullptr, rays).light;
+    }
+
+    const Radiosity& owner_;
+    int bounce_;
+    Task task_;
+    std::vector<GatherPoint>* gaps_;
+};
+
+Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKernel trace)
+    : frame_(frame), settings_(*frame.radiosity), scene_(scene), matt_lights_(frame.lights), trace_(trace) {
+    scene_.frame.working_gamma = 1;
+    scene_.frame.min_weight = settings_.min_weight;
+    scene_.frame.aovs = kernel::AOV_DEPTH;
+    if (!settings_.through_media) scene_.frame.fog_count = 0;
+    for (kernel::Light& light : matt_lights_) light.flags &= ~kernel::LIGHT_HIGHLIGHTS;
+    scene_.lights = matt_lights_.data();
+    for (int bounce = 0; bounce < settings_.recursion_limit; ++bounce) {
+        caches_.emplace_back(settings_.error_bound);
+        const int count = bounce < 8 ? settings_.count >> static_cast<unsigned>(bounce) : 0;
+        directions_.push_back(directions(std::max(count, std::min(settings_.count, kFewestRays))));
+    }
+    light_ = std::make_unique<Light>(*this, 0, Task::draw, nullptr);
+}
+
+const kernel::IndirectLight& Radiosity::light() const { return *light_; }
+
+std::vector<Vec3> Radiosity::directions(int count) {
+    // Vogel's spiral fills the disc evenly; what lies over it does so by the cosine. Neighbours go together.
+    struct Entry {
+        int ring, sector;
+        Vec3 direction;
+    };
+    std::vector<Entry> entries;
+    constexpr float kGoldenAngle = 2.39996323F;
+    for (int i = 0; i < count; ++i) {
+        const float square = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
+        const float radius = std::sqrt(square);
+        const float turn = std::fmod(static_cast<float>(i) * kGoldenAngle, 2 * kPi);
+        const Vec3 d{radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1 - square)};
+        entries.push_back({static_cast<int>(radius * 2), static_cast<int>(turn * (6 / kPi)), d});
+    }
+    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return a.ring != b.ring ? a.ring < b.ring : a.sector < b.sector;
+    });
+    std::vector<Vec3> out;
+    for (const Entry& e : entries) out.push_back(e.direction);
+    return out;
+}
+
+bool Radiosity::is_covered(const GatherPoint& point, int bounce, Task task) const {
+    const IrradianceCache& cache = caches_[static_cast<std::size_t>(bounce)];
+    if (task == Task::draw) {
+        return cache.lookup(point.position, point.normal, settings_.error_bound).count >=
+               (settings_.always_sample ? settings_.nearest_count : 1);
+    }
+    return cache.lookup(point.position, point.normal, settings_.error_bound * settings_.low_error_factor).count >=
+           (bounce == 0 ? settings_.nearest_count : 1);
+}
+
+IrradianceSample Radiosity::gather(const GatherPoint& point, int bounce, Task task, std::vector<GatherPoint>* gaps,
+                                   BatchRays& rays) const {
+    const Light next(*this, bounce + 1, task, gaps);
+    kernel::SceneView scene = scene_;
+    scene.indirect = &next;
+    scene.first_ray_kind = kernel::RAY_RADIOSITY;
+    if (gaps != nullptr) scene.frame.light_count = 0;
+    const std::vector<Vec3>& around = directions_[static_cast<std::size_t>(bounce)];
+    Vec3 u;
+    Vec3 v;
+    basis_of(point.normal, u, v);
+    const Vec3 origin = point.position + point.face * point.error;
+    std::array<BatchRay, kRaysAtOnce> batch;
+    std::array<BatchAnswer, kRaysAtOnce> answers;
+    Vec3 sum;
+    double nearness = 0;
+    for (std::size_t first = 0; first < around.size(); first += kRaysAtOnce) {
+        const std::size_t size = std::min(kRaysAtOnce, around.size() - first);
+        for (std::size_t i = 0; i < size; ++i) {
+            const Vec3 d = around[first + i];
+            Vec3 direction = normalize(u * d.x + v * d.y + point.normal * d.z);
+            // A smooth normal's hemisphere reaches under the face.
+            const float into = dot(direction, point.face);
+            if (into < 0) direction = direction - point.face * (2 * into);
+            batch[i] = {origin, direction};
+        }
+        const BatchRays took = trace_(scene, std::span(batch).first(size), std::span(answers).first(size));
+        rays.rays += took.rays;
+        rays.shadow_rays += took.shadow_rays;
+        if (gaps != nullptr) continue;
+        for (std::size_t i = 0; i < size; ++i) {
+            Vec3 radiance = answers[i].radiance;
+            const float most = std::max({radiance.x, radiance.y, radiance.z});
+            if (settings_.max_sample > 0 && most > settings_.max_sample) radiance *= settings_.max_sample / most;
+            sum += radiance;
+            nearness += 1.0 / std::max(static_cast<double>(answers[i].distance), 1e-30);
+        }
+    }
+    IrradianceSample sample{point.position, point.normal, {}, 0};
+    const auto count = static_cast<float>(around.size());
+    const Vec3 light = sum * (settings_.brightness / count);
+    const float gray = 0.297F * light.x + 0.589F * light.y + 0.114F * light.z;  // as pictures of povray's show it
+    const float grayness = settings_.gray_threshold;
+    sample.light = light * (1 - grayness) + Vec3{gray, gray, gray} * grayness;
+    const float from_eye = length(point.position - from_kernel(scene_.frame.camera.eye));
+    const float mean_distance = static_cast<float>(count / std::max(nearness, 1e-30));
+    sample.reach = std::clamp(mean_distance, settings_.minimum_reuse * from_eye, settings_.maximum_reuse * from_eye);
+    return sample;
+}
+
+template <class Function>
+void Radiosity::for_each(std::size_t count, const Function& function) {
+    std::vector<BatchRays> rays(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { function(i, rays[i]); });
+    for (const BatchRays& r : rays) {
+        rays_.rays += r.rays;
+        rays_.shadow_rays += r.shadow_rays;
+    }
+}
+
+std::vector<GatherPoint> Radiosity::gaps_of_picture(float step, float shift, Task task) {
+    const auto width = static_cast<float>(scene_.frame.width);
+    const auto height = static_cast<float>(scene_.frame.height);
+    const auto rows = static_cast<std::size_t>(std::ceil(height / step));
+    const auto columns = static_cast<std::size_t>(std::ceil(width / step));
+    std::vector<std::vector<GatherPoint>> of_row(rows);
+    for_each(rows, [&](std::size_t row, BatchRays& rays) {
+        const Light light(*this, 0, task, &of_row[row]);
+        kernel::SceneView scene = scene_;
+        scene.indirect = &light;
+        scene.frame.light_count = 0;
+        scene.frame.min_weight = frame_.params.min_weight;
+        std::vector<BatchRay> batch(columns);
+        std::vector<BatchAnswer> answers(columns);
+        for (std::size_t column = 0; column < columns; ++column) {
+            const kernel::Ray ray =
+                camera_ray(scene.frame, std::min((static_cast<float>(column) + shift) * step / width, 1.0F),
+                           std::min((static_cast<float>(row) + shift) * step / height, 1.0F));
+            batch[column] = {from_kernel(ray.origin), from_kernel(ray.direction), ray.t_max};
+        }
+        rays = trace_(scene, batch, answers);
+    });
+    std::vector<GatherPoint> gaps;
+    for (const std::vector<GatherPoint>& row : of_row) gaps.insert(gaps.end(), row.begin(), row.end());
+    return gaps;
+}
+
+void Radiosity::fill(std::vector<GatherPoint> wanted, int bounce, Task task, const StopFlag& stop) {
+    IrradianceCache& cache = caches_[static_cast<std::size_t>(bounce)];
+    const std::vector<std::uint32_t> order = shuffled(wanted.size());
+    for (std::size_t next = 0; next < order.size() && !stop.requested();) {
+        const std::size_t size =
+            std::min(std::clamp(cache.size() / 2, kFewestAtOnce, kMostAtOnce), order.size() - next);
+        std::vector<GatherPoint> points;
+        for (std::size_t i = 0; i < size; ++i) {
+            const GatherPoint& point = wanted[order[next + i]];
+            if (!is_covered(point, bounce, task)) points.push_back(point);
+        }
+        next += size;
+        if (bounce + 1 < settings_.recursion_limit) {
+            std::vector<std::vector<GatherPoint>> gaps(points.size());
+            for_each(points.size(), [&](std::size_t i, BatchRays& rays) {
+                (void)gather(points[i], bounce, Task::shade, &gaps[i], rays);
+            });
+            std::vector<GatherPoint> all;
+            for (const std::vector<GatherPoint>& some : gaps) all.insert(all.end(), some.begin(), some.end());
+            fill(std::move(all), bounce + 1, Task::shade, stop);
+        }
+        std::vector<IrradianceSample> samples(points.size());
+        for_each(points.size(), [&](std::size_t i, BatchRays& rays) {
+            samples[i] = gather(points[i], bounce, Task::shade, nullptr, rays);
+        });
+        for (const IrradianceSample& sample : samples) cache.add(sample);
+    }
+}
+
+bool Radiosity::prepare(const StopFlag& stop) {
+    const auto width = static_cast<float>(scene_.frame.width);
+    const float last = std::max(settings_.pretrace_end * width, 1.0F);
+    for (float step = std::max(settings_.pretrace_start * width, last); step >= last * 0.99F && !stop.requested();
+         step *= 0.5F)
+        fill(gaps_of_picture(step, 0.5F, Task::shade), 0, Task::shade, stop);
+    // What passes that are coarser than the pixels have not seen.
+    if (!stop.requested()) fill(gaps_of_picture(1, 0.5F, Task::draw), 0, Task::draw, stop);
+    return !stop.requested();
+}
+
+}  // namespace sundog::cpu
