@@ -64,6 +64,12 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
     };
     for (const PlacedSolid& solid : scene.solids)
         add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
+    if (!scene.camera_feature.empty()) {
+        const SourceLocation& where = scene.camera_where;
+        const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
+        sentences.push_back(place + "the camera has " + scene.camera_feature +
+                            ", which only the CPU draws; use --device cpu");
+    }
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }
