@@ -162,6 +162,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.width = static_cast<std::uint32_t>(choose(options.width, settings.width, kDefaultWidth));
     params.height = static_cast<std::uint32_t>(choose(options.height, settings.height, kDefaultHeight));
     set_camera(scene, options, time_s, params);
+    if (!options.camera) frame.camera_rays = compiled.camera_rays, frame.camera_normal = compiled.camera_normal;
     params.ambient = to_kernel(scene.ambient);
     params.sky = to_kernel(scene.sky);
     params.max_depth = static_cast<std::uint32_t>(choose(options.max_depth, settings.max_depth, kDefaultMaxDepth));
@@ -183,6 +184,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     frame.instances = instances_at(scene, compiled, time_s);
 
     params.features = compiled.features;
+    if (frame.camera_normal != kernel::NONE) params.features |= kernel::FEATURE_NORMALS;
     if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
         params.features |= kernel::FEATURE_LIGHT_SHAPES;
     if (params.fog_count > 0 || params.sky_layer_count > 0) params.features |= kernel::FEATURE_ATMOSPHERE;

@@ -22,6 +22,8 @@ public:
     kernel::Material compile_surface(const scene::Material& material);
     /// Sky spheres and fogs. Errors as above.
     void compile_sky();
+    /// A list of normals, into `code`.
+    std::uint32_t normals_of(const scene::Normal& normal);
 
 private:
     struct Layers {
@@ -30,8 +32,6 @@ private:
     };
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment);
-    /// A list of normals, into `code`.
-    std::uint32_t normals_of(const scene::Normal& normal);
 
     const scene::Scene& scene_;
     RenderScene& out_;

@@ -11,6 +11,7 @@
 
 #include "base/diagnostics.h"
 #include "base/vec.h"
+#include "device/camera_rays.h"
 #include "kernel/shared.h"
 
 namespace sundog {
@@ -47,6 +48,11 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<std::string> material_names;      ///< One for each of `materials`.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
     std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.
+    /// Instead of the kernel's camera; null: the kernel's. Devices that can't ask it say so.
+    std::shared_ptr<const CameraRays> camera_rays;
+    std::uint32_t camera_normal = kernel::NONE;  ///< A list of normals, into `code`, that bends the camera's rays.
+    std::string camera_feature;                  ///< What of the camera needs either of them; for messages.
+    SourceLocation camera_where;
 };
 
 /// Bytes of all arrays.
@@ -77,8 +83,10 @@ struct IrradianceCaching {
 struct Frame {
     kernel::FrameParams params{};
     std::vector<kernel::Light> lights;
-    std::vector<kernel::Instance> instances;     ///< As many as the scene's geometries refer to.
-    std::optional<IrradianceCaching> radiosity;  ///< Set where params.features has FEATURE_RADIOSITY.
+    std::vector<kernel::Instance> instances;        ///< As many as the scene's geometries refer to.
+    std::optional<IrradianceCaching> radiosity;     ///< Set where params.features has FEATURE_RADIOSITY.
+    std::shared_ptr<const CameraRays> camera_rays;  ///< As in RenderScene, unless the caller has a camera of its own.
+    std::uint32_t camera_normal = kernel::NONE;
 };
 
 }  // namespace sundog

@@ -38,6 +38,31 @@ struct OrbitCamera {
     Vec3 origin;
 };
 
+/// Focal blur (POV-Ray's reference, section 3.4.2.3).
+struct FocalBlur {
+    double aperture = 0;  ///< Four times the lens's radius; 0: a pinhole.
+    int least_samples = 0, most_samples = 0;
+    Vec3d focal_point;
+    double confidence = 0.9, variance = 1.0 / 128;  ///< How sure and how exact a pixel is to be.
+    std::shared_ptr<const Pigment> bokeh;           ///< How bright the lens is, over the unit square; null: evenly.
+};
+
+/// A camera whose rays start on triangles (POV-Ray's reference, section 3.4.2.2.3), along their normals.
+struct MeshCamera {
+    int rays_per_pixel = 1;
+    int distribution = 0;     ///< 0 to 3
+    double max_distance = 0;  ///< 0: no end.
+    double offset = 0;        ///< How far off the triangle rays start.
+    bool reversed = false, smooth = false;
+    std::vector<std::shared_ptr<const SolidMesh>> meshes;  ///< In world space.
+};
+
+/// A camera of functions of a picture's x and y, each -0.5 to 0.5 (POV-Ray 3.8).
+struct FunctionCamera {
+    std::shared_ptr<const Function> location, direction;  ///< 2 inputs, 3 outputs; null: location and direction.
+    Affine3d world_from_camera;
+};
+
 /// A camera placed by vectors, as POV-Ray describes it (reference, section 3.4.1 "Camera"). look_at, angle and sky are
 /// already worked into the vectors. A left- or right-handed system is told by `right`.
 struct ProjectionCamera {
@@ -58,6 +83,10 @@ struct ProjectionCamera {
     double vertical_angle_deg = 0;  ///< spherical
     int cylinder_type = 1;          ///< 1 to 4
     Vec3d sky{0, 1, 0};             ///< Upwards in the scene, whichever way the camera is tilted.
+    FocalBlur blur;
+    std::shared_ptr<const Normal> normal;            ///< Bends the rays; null: not.
+    std::shared_ptr<const MeshCamera> mesh;          ///< Instead of the projection.
+    std::shared_ptr<const FunctionCamera> function;  ///< Instead of the projection.
 };
 
 /// A rectangle (or, `circular`, a disc) of lights around a light's place.

@@ -135,7 +135,7 @@ private:
             return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
         };
         return std::memcmp(&p, &b.params, sizeof p) == 0 && same_bytes(a.lights, b.lights) &&
-               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity;
+               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.camera_rays == b.camera_rays;
     }
 
     /// Gathers what the frame needs, if it hasn't been; false if it was stopped.

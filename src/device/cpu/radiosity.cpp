@@ -201,6 +201,22 @@ void Radiosity::for_each(std::size_t count, const Function& function) {
     }
 }
 
+BatchRay Radiosity::eye_ray(float x, float y) const {
+    const kernel::FrameParams& params = frame_.params;
+    if (!frame_.camera_rays) {
+        const kernel::Ray ray =
+            camera_ray(params, x / static_cast<float>(params.width), y / static_cast<float>(params.height));
+        return {from_kernel(ray.origin), from_kernel(ray.direction), ray.t_max};
+    }
+    CameraRays::Place place;
+    place.x = std::min(static_cast<std::uint32_t>(x), params.width - 1);
+    place.y = std::min(static_cast<std::uint32_t>(y), params.height - 1);
+    place.dx = x - static_cast<float>(place.x);
+    place.dy = y - static_cast<float>(place.y);
+    const std::optional<CameraRays::Ray> ray = frame_.camera_rays->ray(params, place);
+    return ray ? BatchRay{ray->origin, ray->direction, ray->reach} : BatchRay{{}, {0, 0, 1}, -1};
+}
+
 std::vector<GatherPoint> Radiosity::gaps_of_picture(float step, float shift, Task task) {
     const auto width = static_cast<float>(scene_.frame.width);
     const auto height = static_cast<float>(scene_.frame.height);
@@ -216,10 +232,8 @@ std::vector<GatherPoint> Radiosity::gaps_of_picture(float step, float shift, Tas
         std::vector<BatchRay> batch(columns);
         std::vector<BatchAnswer> answers(columns);
         for (std::size_t column = 0; column < columns; ++column) {
-            const kernel::Ray ray =
-                camera_ray(scene.frame, std::min((static_cast<float>(column) + shift) * step / width, 1.0F),
-                           std::min((static_cast<float>(row) + shift) * step / height, 1.0F));
-            batch[column] = {from_kernel(ray.origin), from_kernel(ray.direction), ray.t_max};
+            batch[column] = eye_ray(std::min((static_cast<float>(column) + shift) * step, width),
+                                    std::min((static_cast<float>(row) + shift) * step, height));
         }
         rays = trace_(scene, batch, answers);
     });

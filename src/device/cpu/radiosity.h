@@ -53,6 +53,8 @@ private:
     [[nodiscard]] IrradianceSample gather(const GatherPoint& point, int bounce, Task task,
                                           std::vector<GatherPoint>* gaps, BatchRays& rays) const;
     [[nodiscard]] bool is_covered(const GatherPoint& point, int bounce, Task task) const;
+    /// The ray of the eye through a place of the picture, in pixels; of no reach where there is none.
+    [[nodiscard]] BatchRay eye_ray(float x, float y) const;
     /// Points of surfaces that pixels `step` apart see, and that aren't covered.
     [[nodiscard]] std::vector<GatherPoint> gaps_of_picture(float step, float shift, Task task);
     void fill(std::vector<GatherPoint> wanted, int bounce, Task task, const StopFlag& stop);

@@ -170,20 +170,91 @@ real3 sums_so_far(int x0, int y0, const TileWork& work) {
     return real3(real(lanes_of(stored.r.data())), real(lanes_of(stored.g.data())), real(lanes_of(stored.b.data())));
 }
 
+/// Bends rays by the camera's normals, which lie in the picture: x and y from -0.5 to 0.5.
+[[gnu::noinline]] void bend_rays(const SceneView& view, std::uint32_t normals, real x, real y, Ray& ray) {
+    ray.direction = perturbed_normal(view, normals, real3(x - 0.5F, 0.5F - y, real(0.0F)), vec3(1, 0, 0), vec3(0, 1, 0),
+                                     vec3(0, 0, 1), ray.direction);
+}
+
+/// The rays of CameraRays for the lanes of `asked`, and in which of them there is one.
+mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPixels& pixels, CameraRays::Place place,
+               mask asked, Ray& ray) {
+    const vint lanes = lane_ints(asked);
+    vuint made{};
+    ray.origin = real3(real(0.0F));
+    ray.direction = real3(real(0.0F), real(0.0F), real(1.0F));
+    ray.t_min = real(0.0F);
+    ray.t_max = real(0.0F);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        if (lanes[lane] == 0) continue;
+        place.x = static_cast<std::uint32_t>(pixels.x[lane]), place.y = static_cast<std::uint32_t>(pixels.y[lane]);
+        const std::optional<CameraRays::Ray> one = camera.ray(frame, place);
+        if (!one) continue;
+        made[lane] = ~0U;
+        ray.origin.x.v[lane] = one->origin.x;
+        ray.origin.y.v[lane] = one->origin.y;
+        ray.origin.z.v[lane] = one->origin.z;
+        ray.direction.x.v[lane] = one->direction.x;
+        ray.direction.y.v[lane] = one->direction.y;
+        ray.direction.z.v[lane] = one->direction.z;
+        ray.t_max.v[lane] = one->reach;
+    }
+    return word(made) != word(0U);
+}
+
+/// One sample of a block's pixels: one ray of the kernel's camera, or the mean of as many of CameraRays as it takes.
+[[gnu::always_inline]] inline real3 sample_radiance(const SceneView& view, const Frame& frame,
+                                                    const BlockPixels& pixels, vec2 offset, std::uint32_t sample,
+                                                    mask in_image, RayCounts& counts, FirstHit& first) {
+    const CameraRays* const camera = frame.camera_rays.get();
+    const std::uint32_t most = camera != nullptr ? camera->most_rays() : 1;
+    const std::uint32_t least = camera != nullptr ? std::max(camera->least_rays(), 2U) : 1;
+    const real x =
+        (real(__builtin_convertvector(pixels.x, vfloat)) + offset.x) * (1.0F / static_cast<float>(view.frame.width));
+    const real y =
+        (real(__builtin_convertvector(pixels.y, vfloat)) + offset.y) * (1.0F / static_cast<float>(view.frame.height));
+    const real3 black(real(0.0F));
+    real3 sum = black;
+    real3 squares = black;
+    real count(0.0F);
+    mask going = in_image;
+    for (std::uint32_t k = 0; k < most; ++k) {
+        Ray ray;
+        mask shown;
+        if (camera != nullptr) {
+            shown = host_rays(*camera, view.frame, pixels, {0, 0, offset.x, offset.y, sample, k}, going, ray);
+        } else {
+            ray = camera_ray(view.frame, x, y);
+            shown = mask_and(in_image, ray.t_max > ray.t_min);
+        }
+        if (frame.camera_normal != NONE) bend_rays(view, frame.camera_normal, x, y, ray);
+        FirstHit hit;
+        const real3 radiance = radiance_along(view, ray, shown, counts, hit);
+        if (k == 0) first = hit;
+        if (camera == nullptr) return radiance;
+        sum = select(shown, sum + radiance, sum);
+        squares = select(shown, squares + radiance * radiance, squares);
+        count = select(shown, count + 1.0F, count);
+        const std::uint32_t n = k + 1;
+        if (n < least || n == most) continue;
+        const auto rays = static_cast<float>(n);
+        const real3 variance = (squares - sum * sum * real(1.0F / rays)) * real(1.0F / (rays - 1.0F));
+        const real enough(camera->enough_variance(n));
+        going = mask_and(going, max(max(variance.x, variance.y), variance.z) > enough);
+        if (!any_lane(going)) break;
+    }
+    return sum * (1.0F / max(count, real(1.0F)));
+}
+
 BlockResult trace_block(const SceneView& view, int x0, int y0, mask in_image, const TileWork& work) {
     const BlockPixels pixels(x0, y0);
     BlockResult block;
     if (work.first_sample > 0) block.radiance = sums_so_far(x0, y0, work);
-    const real x(__builtin_convertvector(pixels.x, vfloat));
-    const real y(__builtin_convertvector(pixels.y, vfloat));
-    const float per_width = 1.0F / static_cast<float>(view.frame.width);
-    const float per_height = 1.0F / static_cast<float>(view.frame.height);
     for (std::uint32_t i = 0; i < work.sample_count; ++i) {
-        const vec2 offset = pixel_sample(work.first_sample + i);
-        const Ray ray = camera_ray(view.frame, (x + offset.x) * per_width, (y + offset.y) * per_height);
+        const std::uint32_t sample = work.first_sample + i;
         FirstHit first;
-        const mask shown = mask_and(in_image, ray.t_max > ray.t_min);
-        block.radiance = block.radiance + radiance_along(view, ray, shown, block.counts, first);
+        block.radiance = block.radiance + sample_radiance(view, work.frame, pixels, pixel_sample(sample), sample,
+                                                          in_image, block.counts, first);
         if (i == 0) block.first = first;
     }
     return block;

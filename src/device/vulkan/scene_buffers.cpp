@@ -69,6 +69,12 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
         const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
         sentences.push_back(place + "radiosity is what only the CPU computes; use --device cpu");
     }
+    if (!scene.camera_feature.empty()) {
+        const SourceLocation& where = scene.camera_where;
+        const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
+        sentences.push_back(place + "the camera has " + scene.camera_feature +
+                            ", which only the CPU draws; use --device cpu");
+    }
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }
