@@ -11,51 +11,91 @@ namespace {
 constexpr float kInFront = 0.01F;
 /// Least cosine between the normals of a sample and of a point that uses it.
 constexpr float kLeastCosine = 0.9F;
+constexpr std::size_t kFewestSlots = 1024;
 
-/// Of one coordinate, the cells' number; far away ones share the last.
-std::int64_t cell_of(float coordinate, int exponent) {
-    return static_cast<std::int64_t>(
-        std::floor(std::clamp(std::ldexp(static_cast<double>(coordinate), -exponent), -9e15, 9e15)));
+/// Of one coordinate, the cell's number; far away ones share the last.
+std::int64_t cell_of(float coordinate, double per_length) {
+    return static_cast<std::int64_t>(std::floor(std::clamp(static_cast<double>(coordinate) * per_length, -9e15, 9e15)));
 }
 
 }  // namespace
 
-std::uint64_t IrradianceCache::key_of(int exponent, std::int64_t x, std::int64_t y, std::int64_t z) {
+void IrradianceSample::limit_gradients() {
+    const std::array<float, 3> channels{light.x, light.y, light.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float most = length(by_move[i]) * reach;
+        if (most > channels[i]) by_move[i] *= std::max(channels[i], 0.0F) / most;
+    }
+}
+
+IrradianceCache::IrradianceCache(float error_bound) : error_bound_(error_bound), slots_(kFewestSlots) {}
+
+std::uint64_t IrradianceCache::key_of(const Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {
     // Two cells that meet in one key only make for samples that are looked at in vain.
     const auto mix = [](std::uint64_t h, std::int64_t v) {
         h = (h ^ static_cast<std::uint64_t>(v)) * 0x9e3779b97f4a7c15ULL;
         return h ^ (h >> 29U);
     };
-    return mix(mix(mix(mix(0, exponent), x), y), z);
+    return mix(mix(mix(mix(0, grid.exponent), x), y), z);
+}
+
+const std::vector<IrradianceCache::Entry>* IrradianceCache::cell_at(std::uint64_t key) const {
+    for (std::size_t i = key & (slots_.size() - 1); slots_[i].entries != 0; i = (i + 1) & (slots_.size() - 1))
+        if (slots_[i].key == key) return &cells_[slots_[i].entries - 1];
+    return nullptr;
+}
+
+std::vector<IrradianceCache::Entry>& IrradianceCache::make_cell(std::uint64_t key) {
+    if ((cells_.size() + 1) * 2 > slots_.size()) grow();
+    std::size_t i = key & (slots_.size() - 1);
+    for (; slots_[i].entries != 0; i = (i + 1) & (slots_.size() - 1))
+        if (slots_[i].key == key) return cells_[slots_[i].entries - 1];
+    slots_[i] = {key, static_cast<std::uint32_t>(cells_.size() + 1)};
+    return cells_.emplace_back();
+}
+
+void IrradianceCache::grow() {
+    std::vector<Slot> old(slots_.size() * 2);
+    old.swap(slots_);
+    for (const Slot& slot : old) {
+        if (slot.entries == 0) continue;
+        std::size_t i = slot.key & (slots_.size() - 1);
+        while (slots_[i].entries != 0) i = (i + 1) & (slots_.size() - 1);
+        slots_[i] = slot;
+    }
 }
 
 void IrradianceCache::add(const IrradianceSample& sample) {
     const auto index = static_cast<std::uint32_t>(samples_.size());
     samples_.push_back(sample);
-    const float radius = std::max(sample.reach * error_bound_, 1e-30F);
-    const int exponent = std::ilogb(radius) + 2;  // a side of two to four radii: at most two cells each way
-    const auto at = std::lower_bound(exponents_.begin(), exponents_.end(), exponent);
-    if (at == exponents_.end() || *at != exponent) exponents_.insert(at, exponent);
+    const float radius = std::clamp(sample.reach * error_bound_, 1e-30F, 1e30F);
+    const int exponent = std::ilogb(radius) + 1;  // a side of one to two radii
+    auto grid =
+        std::lower_bound(grids_.begin(), grids_.end(), exponent, [](const Grid& g, int e) { return g.exponent < e; });
+    if (grid == grids_.end() || grid->exponent != exponent)
+        grid = grids_.insert(grid, {exponent, std::ldexp(1.0, -exponent)});
     const Vec3 r{radius, radius, radius};
     const Vec3 lower = sample.position - r;
     const Vec3 upper = sample.position + r;
-    for (std::int64_t x = cell_of(lower.x, exponent); x <= cell_of(upper.x, exponent); ++x)
-        for (std::int64_t y = cell_of(lower.y, exponent); y <= cell_of(upper.y, exponent); ++y)
-            for (std::int64_t z = cell_of(lower.z, exponent); z <= cell_of(upper.z, exponent); ++z) {
-                std::vector<std::uint32_t>& cell = cells_[key_of(exponent, x, y, z)];
+    const auto first = [&](float c) { return cell_of(c, grid->per_length); };
+    for (std::int64_t x = first(lower.x); x <= first(upper.x); ++x)
+        for (std::int64_t y = first(lower.y); y <= first(upper.y); ++y)
+            for (std::int64_t z = first(lower.z); z <= first(upper.z); ++z) {
+                std::vector<Entry>& cell = make_cell(key_of(*grid, x, y, z));
                 // Both of two cells may have one key.
-                if (cell.empty() || cell.back() != index) cell.push_back(index);
+                if (cell.empty() || cell.back().sample != index)
+                    cell.push_back({sample.position, sample.reach, sample.normal, index});
             }
 }
 
-IrradianceLookup IrradianceCache::lookup(Vec3 position, Vec3 normal, float bound) const {
-    IrradianceLookup found;
-    for (const int exponent : exponents_) {
-        const auto cell = cells_.find(key_of(exponent, cell_of(position.x, exponent), cell_of(position.y, exponent),
-                                             cell_of(position.z, exponent)));
-        if (cell == cells_.end()) continue;
-        for (const std::uint32_t index : cell->second) {
-            const IrradianceSample& s = samples_[index];
+template <class Visit>
+void IrradianceCache::for_each_near(Vec3 position, Vec3 normal, float bound, const Visit& visit) const {
+    for (const Grid& grid : grids_) {
+        const std::vector<Entry>* cell =
+            cell_at(key_of(grid, cell_of(position.x, grid.per_length), cell_of(position.y, grid.per_length),
+                           cell_of(position.z, grid.per_length)));
+        if (cell == nullptr) continue;
+        for (const Entry& s : *cell) {
             const Vec3 offset = position - s.position;
             const float far = bound * s.reach;
             const float square = dot(offset, offset);
@@ -67,14 +107,36 @@ IrradianceLookup IrradianceCache::lookup(Vec3 position, Vec3 normal, float bound
             if (error >= bound) continue;
             // A sample in front of the point doesn't see what shades it.
             if (dot(offset, normal + s.normal) < -2 * kInFront * s.reach) continue;
-            const float weight = 1 - error / bound;
-            found.light += s.light * weight;
-            found.weight += weight;
-            ++found.count;
+            if (!visit(s, error)) return;
         }
     }
-    if (found.weight > 0) found.light = found.light / found.weight;
+}
+
+IrradianceLookup IrradianceCache::lookup(Vec3 position, Vec3 normal, float bound) const {
+    IrradianceLookup found;
+    float sum = 0;
+    for_each_near(position, normal, bound, [&](const Entry& entry, float error) {
+        const IrradianceSample& s = samples_[entry.sample];
+        const float share = 1 - error / bound;
+        const float weight = share * share;
+        const Vec3 offset = position - s.position;
+        const Vec3 turn = cross(s.normal, normal);
+        const auto change = [&](std::size_t channel) {
+            return dot(s.by_move[channel], offset) + dot(s.by_turn[channel], turn);
+        };
+        found.light += max(s.light + Vec3{change(0), change(1), change(2)}, {0, 0, 0}) * weight;
+        sum += weight;
+        ++found.count;
+        return true;
+    });
+    if (sum > 0) found.light = found.light / sum;
+    else found.count = 0;
     return found;
+}
+
+bool IrradianceCache::has(int count, Vec3 position, Vec3 normal, float bound) const {
+    for_each_near(position, normal, bound, [&](const Entry&, float) { return --count > 0; });
+    return count <= 0;
 }
 
 }  // namespace sundog::cpu

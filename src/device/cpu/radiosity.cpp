@@ -13,20 +13,14 @@ namespace sundog::cpu {
 namespace {
 
 constexpr int kFewestRays = 8;
+/// Of the last pass over the picture, at least.
+constexpr float kFineColumns = 320;
+/// Growth of the error bound with each bounce, and how far it may go.
+constexpr float kWiderByBounce = 1.5F, kWidestBound = 1.8F;
 /// Points that are taken at once: as many as half of what is known, so that few are taken in vain, in these limits.
 constexpr std::size_t kFewestAtOnce = 32, kMostAtOnce = 1024;
-constexpr std::size_t kRaysAtOnce = 256;
 
 Vec3 from_kernel(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
-
-/// Unit vectors that make a frame with `n` (Duff et al., Building an Orthonormal Basis, Revisited, JCGT 2017).
-void basis_of(Vec3 n, Vec3& u, Vec3& v) {
-    const float sign = std::copysign(1.0F, n.z);
-    const float a = -1 / (sign + n.z);
-    const float b = n.x * n.y * a;
-    u = {1 + sign * n.x * n.x * a, sign * b, -sign * n.x};
-    v = {b, sign + n.y * n.y * a, -n.y};
-}
 
 /// A fixed shuffling of numbers below `count`.
 std::vector<std::uint32_t> shuffled(std::size_t count) {
@@ -76,8 +70,8 @@ private:
         }
         IrradianceLookup found;
         if (task_ == Task::shade)
-            found = cache.lookup(point.position, point.normal, settings.error_bound * settings.low_error_factor);
-        if (found.count == 0) found = cache.lookup(point.position, point.normal, settings.error_bound);
+            found = cache.lookup(point.position, point.normal, owner_.error_bound(bounce_) * settings.low_error_factor);
+        if (found.count == 0) found = cache.lookup(point.position, point.normal, owner_.error_bound(bounce_));
         if (found.count > 0) return found.light;
         // Nothing near by: a sample for this point alone, so that no other's light changes.
         BatchRays rays;
@@ -96,49 +90,33 @@ Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKern
     scene_.frame.min_weight = settings_.min_weight;
     scene_.frame.aovs = kernel::AOV_DEPTH;
     if (!settings_.through_media) scene_.frame.fog_count = 0;
-    for (kernel::Light& light : matt_lights_) light.flags &= ~kernel::LIGHT_HIGHLIGHTS;
+    for (kernel::Light& light : matt_lights_) {
+        light.flags &= ~kernel::LIGHT_HIGHLIGHTS;
+        light.area_count_u = light.area_count_v = 1;
+    }
     scene_.lights = matt_lights_.data();
     for (int bounce = 0; bounce < settings_.recursion_limit; ++bounce) {
-        caches_.emplace_back(settings_.error_bound);
+        caches_.emplace_back(error_bound(bounce));
         const int count = bounce < 8 ? settings_.count >> static_cast<unsigned>(bounce) : 0;
-        directions_.push_back(directions(std::max(count, std::min(settings_.count, kFewestRays))));
+        hemispheres_.emplace_back(std::max(count, std::min(settings_.count, kFewestRays)));
     }
     light_ = std::make_unique<Light>(*this, 0, Task::draw, nullptr);
 }
 
 const kernel::IndirectLight& Radiosity::light() const { return *light_; }
 
-std::vector<Vec3> Radiosity::directions(int count) {
-    // Vogel's spiral fills the disc evenly; what lies over it does so by the cosine. Neighbours go together.
-    struct Entry {
-        int ring, sector;
-        Vec3 direction;
-    };
-    std::vector<Entry> entries;
-    constexpr float kGoldenAngle = 2.39996323F;
-    for (int i = 0; i < count; ++i) {
-        const float square = (static_cast<float>(i) + 0.5F) / static_cast<float>(count);
-        const float radius = std::sqrt(square);
-        const float turn = std::fmod(static_cast<float>(i) * kGoldenAngle, 2 * kPi);
-        const Vec3 d{radius * std::cos(turn), radius * std::sin(turn), std::sqrt(1 - square)};
-        entries.push_back({static_cast<int>(radius * 2), static_cast<int>(turn * (6 / kPi)), d});
-    }
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.ring != b.ring ? a.ring < b.ring : a.sector < b.sector;
-    });
-    std::vector<Vec3> out;
-    for (const Entry& e : entries) out.push_back(e.direction);
-    return out;
+float Radiosity::error_bound(int bounce) const {
+    // What comes from further bounces is averaged over many rays; a generous bound needn't be any wider.
+    const float widened = settings_.error_bound * std::pow(kWiderByBounce, static_cast<float>(bounce));
+    return std::max(settings_.error_bound, std::min(widened, kWidestBound));
 }
 
 bool Radiosity::is_covered(const GatherPoint& point, int bounce, Task task) const {
-    const IrradianceCache& cache = caches_[static_cast<std::size_t>(bounce)];
-    if (task == Task::draw) {
-        return cache.lookup(point.position, point.normal, settings_.error_bound).count >=
-               (settings_.always_sample ? settings_.nearest_count : 1);
-    }
-    return cache.lookup(point.position, point.normal, settings_.error_bound * settings_.low_error_factor).count >=
-           (bounce == 0 ? settings_.nearest_count : 1);
+    // One sample is enough for further bounces, and for what passes over the picture have left out.
+    const bool needs_all = task == Task::draw ? settings_.always_sample : bounce == 0;
+    return caches_[static_cast<std::size_t>(bounce)].has(needs_all ? settings_.nearest_count : 1, point.position,
+                                                         point.normal,
+                                                         error_bound(bounce) * settings_.low_error_factor);
 }
 
 IrradianceSample Radiosity::gather(const GatherPoint& point, int bounce, Task task, std::vector<GatherPoint>* gaps,
@@ -148,47 +126,38 @@ IrradianceSample Radiosity::gather(const GatherPoint& point, int bounce, Task ta
     scene.indirect = &next;
     scene.first_ray_kind = kernel::RAY_RADIOSITY;
     if (gaps != nullptr) scene.frame.light_count = 0;
-    const std::vector<Vec3>& around = directions_[static_cast<std::size_t>(bounce)];
-    Vec3 u;
-    Vec3 v;
-    basis_of(point.normal, u, v);
+    const Hemisphere& around = hemispheres_[static_cast<std::size_t>(bounce)];
+    const Hemisphere::Frame axes(point.normal);
     const Vec3 origin = point.position + point.face * point.error;
-    std::array<BatchRay, kRaysAtOnce> batch;
-    std::array<BatchAnswer, kRaysAtOnce> answers;
-    Vec3 sum;
-    double nearness = 0;
-    for (std::size_t first = 0; first < around.size(); first += kRaysAtOnce) {
-        const std::size_t size = std::min(kRaysAtOnce, around.size() - first);
-        for (std::size_t i = 0; i < size; ++i) {
-            const Vec3 d = around[first + i];
-            Vec3 direction = normalize(u * d.x + v * d.y + point.normal * d.z);
-            // A smooth normal's hemisphere reaches under the face.
-            const float into = dot(direction, point.face);
-            if (into < 0) direction = direction - point.face * (2 * into);
-            batch[i] = {origin, direction};
-        }
-        const BatchRays took = trace_(scene, std::span(batch).first(size), std::span(answers).first(size));
-        rays.rays += took.rays;
-        rays.shadow_rays += took.shadow_rays;
-        if (gaps != nullptr) continue;
-        for (std::size_t i = 0; i < size; ++i) {
-            Vec3 radiance = answers[i].radiance;
-            const float most = std::max({radiance.x, radiance.y, radiance.z});
-            if (settings_.max_sample > 0 && most > settings_.max_sample) radiance *= settings_.max_sample / most;
-            sum += radiance;
-            nearness += 1.0 / std::max(static_cast<double>(answers[i].distance), 1e-30);
-        }
+    const auto count = around.directions().size();
+    std::vector<BatchRay> batch(count);
+    std::vector<BatchAnswer> answers(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        Vec3 direction = normalize(axes.to_world(around.directions()[i]));
+        // A smooth normal's hemisphere reaches under the face.
+        const float into = dot(direction, point.face);
+        if (into < 0) direction = direction - point.face * (2 * into);
+        batch[i] = {origin, direction};
     }
-    IrradianceSample sample{point.position, point.normal, {}, 0};
-    const auto count = static_cast<float>(around.size());
-    const Vec3 light = sum * (settings_.brightness / count);
+    rays = trace_(scene, batch, answers);
+    IrradianceSample sample{point.position, point.normal, {}};
+    if (gaps != nullptr) return sample;
+    for (BatchAnswer& answer : answers) {
+        const float most = std::max({answer.radiance.x, answer.radiance.y, answer.radiance.z});
+        if (settings_.max_sample > 0 && most > settings_.max_sample) answer.radiance *= settings_.max_sample / most;
+        answer.radiance = adjusted(answer.radiance);
+    }
+    around.integrate(answers, axes, sample);
+    const float from_eye = length(point.position - from_kernel(scene_.frame.camera.eye));
+    sample.reach = std::clamp(sample.reach, settings_.minimum_reuse * from_eye, settings_.maximum_reuse * from_eye);
+    sample.limit_gradients();
+    return sample;
+}
+
+Vec3 Radiosity::adjusted(Vec3 light) const {
     const float gray = 0.297F * light.x + 0.589F * light.y + 0.114F * light.z;  // as pictures of povray's show it
     const float grayness = settings_.gray_threshold;
-    sample.light = light * (1 - grayness) + Vec3{gray, gray, gray} * grayness;
-    const float from_eye = length(point.position - from_kernel(scene_.frame.camera.eye));
-    const float mean_distance = static_cast<float>(count / std::max(nearness, 1e-30));
-    sample.reach = std::clamp(mean_distance, settings_.minimum_reuse * from_eye, settings_.maximum_reuse * from_eye);
-    return sample;
+    return (light * (1 - grayness) + Vec3{gray, gray, gray} * grayness) * settings_.brightness;
 }
 
 template <class Function>
@@ -278,7 +247,9 @@ bool Radiosity::prepare(const StopFlag& stop) {
          step *= 0.5F)
         fill(gaps_of_picture(step, 0.5F, Task::shade), 0, Task::shade, stop);
     // What passes that are coarser than the pixels have not seen.
-    if (!stop.requested()) fill(gaps_of_picture(1, 0.5F, Task::draw), 0, Task::draw, stop);
+    // Samples reach as far as a share of the picture's width, so a large picture's pixels needn't all be asked.
+    const float fine = std::max(std::floor(width / kFineColumns), 1.0F);
+    if (!stop.requested()) fill(gaps_of_picture(fine, 0.5F, Task::draw), 0, Task::draw, stop);
     return !stop.requested();
 }
 

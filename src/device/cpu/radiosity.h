@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "device/cpu/hemisphere.h"
 #include "device/cpu/irradiance_cache.h"
 #include "device/cpu/ray_batch.h"
 #include "device/render_scene.h"
@@ -48,10 +49,12 @@ private:
     class Light;
     enum class Task { find_gaps, shade, draw };
 
-    /// Directions around z of the rays that gather at a bounce, spread by the cosine.
-    [[nodiscard]] static std::vector<Vec3> directions(int count);
+    /// Most error of a sample that is used at a bounce.
+    [[nodiscard]] float error_bound(int bounce) const;
     [[nodiscard]] IrradianceSample gather(const GatherPoint& point, int bounce, Task task,
                                           std::vector<GatherPoint>* gaps, BatchRays& rays) const;
+    /// Light that a ray brought, by brightness and gray_threshold.
+    [[nodiscard]] Vec3 adjusted(Vec3 light) const;
     [[nodiscard]] bool is_covered(const GatherPoint& point, int bounce, Task task) const;
     /// The ray of the eye through a place of the picture, in pixels; of no reach where there is none.
     [[nodiscard]] BatchRay eye_ray(float x, float y) const;
@@ -64,10 +67,10 @@ private:
     const Frame& frame_;
     IrradianceCaching settings_;
     kernel::SceneView scene_;
-    std::vector<kernel::Light> matt_lights_;  ///< Highlights don't light other surfaces.
+    std::vector<kernel::Light> matt_lights_;  ///< Without highlights, and areas as points.
     RayKernel trace_;
-    std::vector<IrradianceCache> caches_;        ///< One for each bounce, the eye's first.
-    std::vector<std::vector<Vec3>> directions_;  ///< One for each bounce.
+    std::vector<IrradianceCache> caches_;  ///< One for each bounce, the eye's first.
+    std::vector<Hemisphere> hemispheres_;  ///< One for each bounce.
     BatchRays rays_;
     std::unique_ptr<kernel::IndirectLight> light_;
 };
