@@ -28,6 +28,9 @@ struct Arrays {
 };
 }  // namespace render_scene_detail
 
+namespace kernel {
+class HostFields;
+}
 namespace solids {
 class CompiledSolid;
 }
@@ -53,6 +56,9 @@ struct RenderScene : render_scene_detail::Arrays {
     std::uint32_t camera_normal = kernel::NONE;  ///< A list of normals, into `code`, that bends the camera's rays.
     std::string camera_feature;                  ///< What of the camera needs either of them; for messages.
     SourceLocation camera_where;
+    /// Of which programs in `code` ask what only the host computes; null: none does.
+    std::shared_ptr<const kernel::HostFields> host_fields;
+    SourceLocation first_host_field;  ///< The first pattern that needs them.
 };
 
 /// Bytes of all arrays.

@@ -14,6 +14,7 @@ kernel::SceneView view_of(const RenderScene& scene, const Frame& frame, const vo
     view.lights = frame.lights.data();
     view.instances = frame.instances.data();
     view.traversal = traversal;
+    view.host_fields = scene.host_fields.get();
     return view;
 }
 

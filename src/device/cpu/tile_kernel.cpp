@@ -172,8 +172,9 @@ real3 sums_so_far(int x0, int y0, const TileWork& work) {
 
 /// Bends rays by the camera's normals, which lie in the picture: x and y from -0.5 to 0.5.
 [[gnu::noinline]] void bend_rays(const SceneView& view, std::uint32_t normals, real x, real y, Ray& ray) {
-    ray.direction = perturbed_normal(view, normals, real3(x - 0.5F, 0.5F - y, real(0.0F)), vec3(1, 0, 0), vec3(0, 1, 0),
-                                     vec3(0, 0, 1), ray.direction);
+    PatternPoint at = free_point(real3(x - 0.5F, 0.5F - y, real(0.0F)));
+    at.normal = ray.direction;
+    ray.direction = perturbed_normal(view, normals, at, vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
 }
 
 /// The rays of CameraRays for the lanes of `asked`, and in which of them there is one.

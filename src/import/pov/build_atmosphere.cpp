@@ -73,9 +73,8 @@ scene::SkySphere sky_sphere_of(BuildContext& context, const Block& block) {
 }
 
 /// Settings of what isn't drawn yet, or makes no difference to how Sundog computes.
-constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves,
-                                           Keyword::noise_generator,   Keyword::mm_per_unit,
-                                           Keyword::irid_wavelength,   Keyword::hf_gray_16};
+constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves, Keyword::mm_per_unit,
+                                           Keyword::irid_wavelength, Keyword::hf_gray_16};
 
 }  // namespace
 
@@ -127,6 +126,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
             scene.settings.max_depth = items.integer("a level", 1, 256);
         } else if (items.take(Keyword::ambient_light)) {
             scene.ambient = rgb_of(items.color("a color"));
+        } else if (items.take(Keyword::noise_generator)) {
+            context.noise_generator = items.integer("a noise generator", 1, 3);
         } else if (items.take(Keyword::charset)) {
             if (!items.take(Keyword::ascii) && !items.take(Keyword::utf8) && !items.take(Keyword::sys))
                 items.unexpected("ascii, utf8 or sys");
