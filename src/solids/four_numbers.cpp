@@ -5,6 +5,35 @@
 
 namespace sundog::solids {
 
+std::complex<double> julia_value(scene::JuliaFractal::Function function, std::complex<double> h,
+                                 std::complex<double> exponent) {
+    using Function = scene::JuliaFractal::Function;
+    switch (function) {
+        case Function::sin:
+            return std::sin(h);
+        case Function::asin:
+            return std::asin(h);
+        case Function::sinh:
+            return std::sinh(h);
+        case Function::asinh:
+            return std::asinh(h);
+        case Function::cos:
+            return std::cos(h);
+        case Function::acos:
+            return std::acos(h);
+        case Function::cosh:
+            return std::cosh(h);
+        case Function::acosh:
+            return std::acosh(h);
+        case Function::atan:
+            return std::atan(h);
+        case Function::atanh:
+            return std::atanh(h);
+        default:
+            return julia_function(function, h, exponent).value;
+    }
+}
+
 ComplexValue julia_function(scene::JuliaFractal::Function function, std::complex<double> h,
                             std::complex<double> exponent) {
     using Function = scene::JuliaFractal::Function;

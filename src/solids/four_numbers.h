@@ -35,6 +35,8 @@ struct ComplexValue {
     std::complex<double> value, slope;
 };
 /// `exponent` is pwr's.
+std::complex<double> julia_value(scene::JuliaFractal::Function function, std::complex<double> h,
+                                 std::complex<double> exponent);
 ComplexValue julia_function(scene::JuliaFractal::Function function, std::complex<double> h,
                             std::complex<double> exponent);
 

@@ -16,6 +16,10 @@ class JuliaFractal final : public Shape {
 public:
     explicit JuliaFractal(const scene::JuliaFractal& j)
         : j_(j),
+          // As POV-Ray 3.7's pictures show, hypercomplex sequences end one number earlier.
+          iterations_(j.hypercomplex ? j.max_iteration - 1 : j.max_iteration),
+          algebraic_(j.function == scene::JuliaFractal::Function::sqr ||
+                     j.function == scene::JuliaFractal::Function::cube),
           exponent_(j.exponent[0], j.exponent[1]),
           parameter_pair_(FourNumber{j.parameter}),
           finest_(0.25 / std::max(j.precision, 1.0) / 10),
@@ -90,7 +94,7 @@ private:
         double slope = 1;
         double size = solids::squared(h);
         int n = 0;
-        for (; n < j_.max_iteration && size <= kEscape * kEscape; ++n) {
+        for (; n < iterations_ && size <= kEscape * kEscape; ++n) {
             slope *= cube ? 3 * size : 2 * std::sqrt(size);
             h = quaternion_next(h);
             size = solids::squared(h);
@@ -99,7 +103,7 @@ private:
         if (size <= kEscape) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
         // By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
         const double potential = std::log(size);
-        const double surface = std::log(kEscape) * std::pow(cube ? 3 : 2, n - j_.max_iteration);
+        const double surface = std::log(kEscape) * std::pow(cube ? 3 : 2, n - iterations_);
         return {false, size * (potential - surface) / slope};
     }
 
@@ -107,7 +111,13 @@ private:
         ComplexPair h(lifted(p));
         double slope = 1;
         double size = h.squared();
-        for (int n = 0; n < j_.max_iteration && size <= kEscape * kEscape; ++n) {
+        for (int n = 0; n < iterations_ && size <= kEscape * kEscape; ++n) {
+            if (!algebraic_) {
+                h.u = julia_value(j_.function, h.u, exponent_) + parameter_pair_.u;
+                h.v = julia_value(j_.function, h.v, exponent_) + parameter_pair_.v;
+                size = h.squared();
+                continue;
+            }
             const ComplexValue u = julia_function(j_.function, h.u, exponent_);
             const ComplexValue v = julia_function(j_.function, h.v, exponent_);
             slope *= std::sqrt(std::max(std::norm(u.slope), std::norm(v.slope)));
@@ -115,6 +125,7 @@ private:
             h.v = v.value + parameter_pair_.v;
             size = h.squared();
         }
+        if (!algebraic_) return {size <= kEscape * kEscape, 2 * coarsest_};
         if (!(size <= kEscape * kEscape)) return {false, (std::sqrt(size) - kEscape) / slope};
         return {true, (kEscape - std::sqrt(size)) / slope};
     }
@@ -124,7 +135,7 @@ private:
         FourNumber h = lifted(p);
         std::array<FourNumber, 3> by = tangents();
         const bool cube = j_.function == scene::JuliaFractal::Function::cube;
-        for (int n = 0; n < j_.max_iteration && squared_under_escape(solids::squared(h)); ++n) {
+        for (int n = 0; n < iterations_ && squared_under_escape(solids::squared(h)); ++n) {
             for (FourNumber& d : by) {
                 const FourNumber a = quaternion_product(h, d);
                 const FourNumber b = quaternion_product(d, h);
@@ -147,7 +158,7 @@ private:
         ComplexPair h(lifted(p));
         std::complex<double> by_u = 1;
         std::complex<double> by_v = 1;
-        for (int n = 0; n < j_.max_iteration && squared_under_escape(h.squared()); ++n) {
+        for (int n = 0; n < iterations_ && squared_under_escape(h.squared()); ++n) {
             const ComplexValue u = julia_function(j_.function, h.u, exponent_);
             const ComplexValue v = julia_function(j_.function, h.v, exponent_);
             by_u *= u.slope;
@@ -219,6 +230,8 @@ private:
     }
 
     scene::JuliaFractal j_;
+    int iterations_;
+    bool algebraic_;  ///< A function without edges, whose slope tells how far the surface is.
     std::complex<double> exponent_;
     ComplexPair parameter_pair_;
     double finest_, coarsest_;  ///< Steps along a ray.
