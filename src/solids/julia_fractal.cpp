@@ -22,7 +22,7 @@ public:
                      j.function == scene::JuliaFractal::Function::cube),
           exponent_(j.exponent[0], j.exponent[1]),
           parameter_pair_(FourNumber{j.parameter}),
-          finest_(0.25 / std::max(j.precision, 1.0) / 10),
+          finest_(0.125 / std::max(j.precision, 1.0)),
           coarsest_(1 / std::max(j.precision, 1.0)) {
         const double length_of_normal = std::sqrt(solids::squared(FourNumber{j.slice}));
         for (std::size_t i = 0; i < 4; ++i) normal_[i] = j.slice[i] / length_of_normal;
@@ -193,29 +193,28 @@ private:
         if (!(within.lower < within.upper)) return false;
         const double unit = 1 / std::sqrt(a);
 
-        bool was_inside = middle - half > range.lower ? false : probe(ray.at(within.lower)).inside;
-        const bool starts_inside = was_inside;
+        Probe here = probe(ray.at(within.lower));
+        const bool starts_inside = middle - half <= range.lower && here.inside;
+        if (here.inside && !starts_inside && range.contains(within.lower)) {
+            out.push_back({within.lower});  // the ball's own surface
+            if (only_first) return false;
+        }
         double t = within.lower;
         while (t < within.upper) {
-            const Probe here = probe(ray.at(t));
-            if (here.inside != was_inside) {
-                // Only at the ball's own surface: between steps, changes are found below.
-                if (range.contains(t)) out.push_back({t});
-                was_inside = here.inside;
-                if (only_first && !out.empty()) return starts_inside;
-            }
             const double wanted = 0.5 * here.step;
             const double step = std::clamp(wanted > 0 ? wanted : finest_, finest_, coarsest_) * unit;
             const double next = std::min(t + step, within.upper);
-            if (probe(ray.at(next)).inside != was_inside) {
-                const double place = change_between(ray, t, next, was_inside);
+            if (!(next > t)) break;
+            const Probe there = probe(ray.at(next));
+            if (there.inside != here.inside) {
+                const double place = change_between(ray, t, next, here.inside);
                 if (range.contains(place)) out.push_back({place});
-                was_inside = !was_inside;
                 if (only_first && !out.empty()) return starts_inside;
             }
-            if (!(next > t)) break;
             t = next;
+            here = there;
         }
+        const bool was_inside = here.inside;
         // What is still inside ends with the ball.
         if (was_inside && middle + half <= range.upper && range.contains(middle + half)) out.push_back({middle + half});
         return starts_inside;
