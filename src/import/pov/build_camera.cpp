@@ -72,6 +72,7 @@ private:
     bool read_block() {
         if (const auto base = items_.take_block(Keyword::camera)) {
             parts_ = read_camera(objects_, *base, std::move(parts_));
+            sized_ = true;  // its window is worked out already
         } else if (const auto normal = items_.take_block(Keyword::normal)) {
             parts_.camera.normal = read_normal(context_, *normal, parts_.camera.normal);
         } else if (const auto mesh = items_.take_block(Keyword::mesh_camera)) {

@@ -230,6 +230,7 @@ private:
             }
         }
         if (entries_.size() != 2) context_.fail(block.where, "tiles { } takes two textures");
+        std::swap(entries_[0], entries_[1]);  // the second lies where a checker has its first
         parts_.pattern.kind = scene::Pattern::Kind::checker;
         parts_.given = true;
     }
