@@ -7,6 +7,9 @@
 namespace sundog::cpu {
 namespace {
 
+/// Rays are followed by so many at a time on the widest processors: the last packet is filled up.
+constexpr int kPacket = 16;
+
 Vec3 around_z(float turn) { return {std::cos(turn), std::sin(turn), 0}; }
 
 void add(std::array<Vec3, 3>& gradient, Vec3 direction, Vec3 change) {
@@ -27,8 +30,9 @@ Hemisphere::Frame::Frame(Vec3 normal) : z(normal) {
 }
 
 Hemisphere::Hemisphere(int count)
-    : rings_(std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<float>(count) / kPi))))),
-      sectors_(std::max(1, (count + rings_ - 1) / rings_)) {
+    : rings_(std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<float>(count) / kPi))))) {
+    const int packets = (std::max(count, 1) + kPacket - 1) / kPacket;
+    sectors_ = packets * kPacket / rings_;
     for (int sector = 0; sector < sectors_; ++sector) {
         const float turn = 2 * kPi * (static_cast<float>(sector) + 0.5F) / static_cast<float>(sectors_);
         for (int ring = 0; ring < rings_; ++ring) {

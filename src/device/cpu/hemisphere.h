@@ -22,7 +22,7 @@ public:
         Vec3 x, y, z;
     };
 
-    /// About `count` directions.
+    /// About `count` directions: as many as fill whole packets of rays.
     explicit Hemisphere(int count);
 
     /// Unit vectors around z, sector by sector, from the middle outwards.
@@ -31,7 +31,7 @@ public:
     void integrate(std::span<const BatchAnswer> answers, const Frame& axes, IrradianceSample& sample) const;
 
 private:
-    int rings_, sectors_;
+    int rings_, sectors_ = 1;
     std::vector<Vec3> directions_;
 };
 
