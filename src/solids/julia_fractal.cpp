@@ -3,6 +3,7 @@
 // f(h(n)) + p, up to the last iteration, leaves the ball of radius 4. A ray goes on by estimates of how far the surface
 // is (Hart, Sandin and Kauffman 1989), the changes between two steps are halved down.
 #include <cmath>
+#include <vector>
 
 #include "solids/four_numbers.h"
 #include "solids/shape.h"
@@ -23,7 +24,10 @@ public:
           exponent_(j.exponent[0], j.exponent[1]),
           parameter_pair_(FourNumber{j.parameter}),
           finest_(0.125 / std::max(j.precision, 1.0)),
-          coarsest_(1 / std::max(j.precision, 1.0)) {
+          coarsest_(j.hypercomplex ? std::max(1 / std::max(j.precision, 1.0), 0.02) : 0.25) {
+        for (double level = std::log(kEscape); levels_.size() <= static_cast<std::size_t>(iterations_);
+             level /= j.function == scene::JuliaFractal::Function::cube ? 3 : 2)
+            levels_.push_back(level);
         const double length_of_normal = std::sqrt(solids::squared(FourNumber{j.slice}));
         for (std::size_t i = 0; i < 4; ++i) normal_[i] = j.slice[i] / length_of_normal;
         radius_ = reach();
@@ -103,8 +107,7 @@ private:
         if (size <= kEscape) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
         // By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
         const double potential = std::log(size);
-        const double surface = std::log(kEscape) * std::pow(cube ? 3 : 2, n - iterations_);
-        return {false, size * (potential - surface) / slope};
+        return {false, size * (potential - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
     }
 
     [[nodiscard]] Probe hypercomplex_probe(Vec3d p) const {
@@ -233,7 +236,8 @@ private:
     bool algebraic_;  ///< A function without edges, whose slope tells how far the surface is.
     std::complex<double> exponent_;
     ComplexPair parameter_pair_;
-    double finest_, coarsest_;  ///< Steps along a ray.
+    double finest_, coarsest_;    ///< Steps along a ray.
+    std::vector<double> levels_;  ///< ln 4 / 2^k (3^k of cubes): the surface's potential k numbers before the last.
     FourNumber normal_{};
     double radius_ = kEscape;
 };
