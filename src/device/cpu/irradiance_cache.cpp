@@ -15,7 +15,8 @@ constexpr std::size_t kFewestSlots = 1024;
 
 /// Of one coordinate, the cell's number; far away ones share the last.
 std::int64_t cell_of(float coordinate, double per_length) {
-    return static_cast<std::int64_t>(std::floor(std::clamp(static_cast<double>(coordinate) * per_length, -9e15, 9e15)));
+    const double cell = std::floor(static_cast<double>(coordinate) * per_length);
+    return cell > -9e15 ? static_cast<std::int64_t>(std::min(cell, 9e15)) : -9'000'000'000'000'000;  // NaN, too
 }
 
 }  // namespace
@@ -66,6 +67,7 @@ void IrradianceCache::grow() {
 }
 
 void IrradianceCache::add(const IrradianceSample& sample) {
+    if (!is_finite(sample.position) || !is_finite(sample.normal) || !is_finite(sample.light)) return;
     const auto index = static_cast<std::uint32_t>(samples_.size());
     samples_.push_back(sample);
     const float radius = std::clamp(sample.reach * error_bound_, 1e-30F, 1e30F);

@@ -19,6 +19,11 @@ constexpr float kFineColumns = 320;
 constexpr float kWiderByBounce = 1.5F, kWidestBound = 1.8F;
 /// Points that are taken at once: as many as half of what is known, so that few are taken in vain, in these limits.
 constexpr std::size_t kFewestAtOnce = 32, kMostAtOnce = 1024;
+/// And as many as have so many rays, each of which may find a gap: memory for those.
+constexpr std::size_t kMostRaysAtOnce = 2'000'000;
+/// Of the picture that one pass looks at.
+constexpr float kMostPoints = 4e6F;
+constexpr float kLeastReach = 1e-20F;
 
 Vec3 from_kernel(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -143,6 +148,7 @@ IrradianceSample Radiosity::gather(const GatherPoint& point, int bounce, Task ta
     IrradianceSample sample{point.position, point.normal, {}};
     if (gaps != nullptr) return sample;
     for (BatchAnswer& answer : answers) {
+        if (!is_finite(answer.radiance)) answer.radiance = {};
         const float most = std::max({answer.radiance.x, answer.radiance.y, answer.radiance.z});
         if (settings_.max_sample > 0 && most > settings_.max_sample) answer.radiance *= settings_.max_sample / most;
         answer.radiance = adjusted(answer.radiance);
@@ -150,6 +156,7 @@ IrradianceSample Radiosity::gather(const GatherPoint& point, int bounce, Task ta
     around.integrate(answers, axes, sample);
     const float from_eye = length(point.position - from_kernel(scene_.frame.camera.eye));
     sample.reach = std::clamp(sample.reach, settings_.minimum_reuse * from_eye, settings_.maximum_reuse * from_eye);
+    sample.reach = std::max(sample.reach, kLeastReach);
     sample.limit_gradients();
     return sample;
 }
@@ -214,9 +221,11 @@ std::vector<GatherPoint> Radiosity::gaps_of_picture(float step, float shift, Tas
 void Radiosity::fill(std::vector<GatherPoint> wanted, int bounce, Task task, const StopFlag& stop) {
     IrradianceCache& cache = caches_[static_cast<std::size_t>(bounce)];
     const std::vector<std::uint32_t> order = shuffled(wanted.size());
+    const std::size_t rays_each = hemispheres_[static_cast<std::size_t>(bounce)].directions().size();
+    const std::size_t most = std::max(kMostRaysAtOnce / rays_each, std::size_t{1});
     for (std::size_t next = 0; next < order.size() && !stop.requested();) {
         const std::size_t size =
-            std::min(std::clamp(cache.size() / 2, kFewestAtOnce, kMostAtOnce), order.size() - next);
+            std::min({std::clamp(cache.size() / 2, kFewestAtOnce, kMostAtOnce), most, order.size() - next});
         std::vector<GatherPoint> points;
         for (std::size_t i = 0; i < size; ++i) {
             const GatherPoint& point = wanted[order[next + i]];
@@ -242,7 +251,8 @@ void Radiosity::fill(std::vector<GatherPoint> wanted, int bounce, Task task, con
 
 bool Radiosity::prepare(const StopFlag& stop) {
     const auto width = static_cast<float>(scene_.frame.width);
-    const float last = std::max(settings_.pretrace_end * width, 1.0F);
+    const float finest = std::max(std::sqrt(width * static_cast<float>(scene_.frame.height) / kMostPoints), 1.0F);
+    const float last = std::max(settings_.pretrace_end * width, finest);
     for (float step = std::max(settings_.pretrace_start * width, last); step >= last * 0.99F && !stop.requested();
          step *= 0.5F)
         fill(gaps_of_picture(step, 0.5F, Task::shade), 0, Task::shade, stop);
