@@ -32,7 +32,7 @@ const std::vector<Rule>& rules() {
         {"src/import/pov", {"import/pov", "import/obj/obj_import.h", "scene", "base", "output", "fields", "solids"}},
         {"src/import/orbit", {"import/orbit", "import/obj/obj_import.h", "scene", "base", "output"}},
         {"src/solids", {"solids", "fields", "scene", "base"}},
-        {"src/compile", {"compile", "scene", "fields", "solids", "kernel", "base", "device/render_scene.h"}},
+        {"src/compile", {"compile", "scene", "fields", "solids", "kernel", "base", "device/render_scene.h", "device/camera_rays.h"}},
         {"src/device", {"device/", "kernel", "base"}},
         {"src/device/bvh", {"device/bvh", "device/", "kernel", "base"}},
         {"src/device/cpu", {"device/cpu", "device/bvh", "device/", "solids", "kernel", "base"}},
