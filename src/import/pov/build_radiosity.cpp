@@ -18,7 +18,7 @@ constexpr std::array kItems{
 class RadiosityReader {
 public:
     RadiosityReader(BuildContext& context, const Block& block, scene::Radiosity start)
-        : context_(context), items_(context, block), settings_(std::move(start)) {
+        : items_(context, block), settings_(std::move(start)) {
         settings_.where = context.location(block.where);
         settings_.keeps_ambient = block.version < 370;
     }
@@ -129,7 +129,6 @@ private:
         items_.warn("minimum_reuse is over half of maximum_reuse");
     }
 
-    BuildContext& context_;
     ItemReader items_;
     scene::Radiosity settings_;
     bool minimum_written_ = false, maximum_written_ = false;
