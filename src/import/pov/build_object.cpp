@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/build_radiosity.h"
 #include "import/pov/build_shape.h"
 #include "import/pov/build_transform.h"
 
@@ -191,6 +192,10 @@ private:
     bool read_flag() {
         if (items_.take_block(Keyword::photons)) {
             context_.warn_once("photons", items_.taken_where(), "photons aren't drawn yet");
+            return true;
+        }
+        if (const auto radiosity = items_.take_block(Keyword::radiosity)) {
+            read_importance(context_, *radiosity);
             return true;
         }
         const std::optional<Keyword> keyword = items_.peek_keyword();

@@ -140,4 +140,13 @@ scene::Radiosity read_radiosity(BuildContext& context, const Block& block, scene
     return RadiosityReader(context, block, std::move(start)).read();
 }
 
+void read_importance(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    while (!items.at_end()) {
+        static constexpr std::array kValid{Keyword::importance};
+        if (!items.take(Keyword::importance)) items.unexpected(kValid);
+        items.number("an importance");
+    }
+}
+
 }  // namespace sundog::pov

@@ -10,4 +10,8 @@ namespace sundog::pov {
 /// `start` as the block changes it.
 scene::Radiosity read_radiosity(BuildContext& context, const Block& block, scene::Radiosity start);
 
+/// Reads an object's own `radiosity { importance … }`, which says how many of the rays that meet it are worth
+/// following: all are.
+void read_importance(BuildContext& context, const Block& block);
+
 }  // namespace sundog::pov

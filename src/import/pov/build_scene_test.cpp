@@ -287,7 +287,8 @@ TEST(BuildSettings, RadiosityIsRead) {
             count 12, 100 nearest_count 7, 3 recursion_limit 4 error_bound 0.3 low_error_factor 0.7 minimum_reuse 0.2
             pretrace_start 0.5 pretrace_end 0.25 gray_threshold 0.1 brightness 2 max_sample 9 adc_bailout 0.5 normal on
             media on always_sample on } }
-        sphere { 0, 1 no_radiosity } sphere { 0, 1 })");
+        #default { radiosity { importance 0.5 } }
+        sphere { 0, 1 no_radiosity } sphere { 0, 1 radiosity { importance 0.25 } })");
     ASSERT_TRUE(built.scene.radiosity);
     const scene::Radiosity& r = *built.scene.radiosity;
     EXPECT_EQ(r.count, 12);

@@ -8,6 +8,7 @@
 #include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
 #include "import/pov/build_pigment.h"
+#include "import/pov/build_radiosity.h"
 #include "import/pov/build_texture_map.h"
 #include "import/pov/build_transform.h"
 
@@ -303,9 +304,11 @@ DefaultTexture TextureReader::read_defaults(const Block& block) {
             result.layer.finish = read_finish(context_, *finish, {result.layer.finish, {}, false}).finish;
         } else if (const auto normal = items.take_block(Keyword::normal)) {
             result.layer.normal = read_normal(context_, *normal, result.layer.normal);
+        } else if (const auto radiosity = items.take_block(Keyword::radiosity)) {
+            read_importance(context_, *radiosity);
         } else if (!items.take_block(Keyword::camera)) {
-            static constexpr std::array kValid{Keyword::texture, Keyword::pigment, Keyword::normal, Keyword::finish,
-                                               Keyword::camera};
+            static constexpr std::array kValid{Keyword::texture, Keyword::pigment, Keyword::normal,
+                                               Keyword::finish,  Keyword::camera,  Keyword::radiosity};
             items.unexpected(kValid);
         }
     }
