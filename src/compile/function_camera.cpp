@@ -17,8 +17,8 @@ public:
     }
 
     [[nodiscard]] std::optional<Ray> ray(const kernel::FrameParams& frame, const Place& place) const override {
-        const std::array<double, 2> at{(place.x + double{place.dx}) / frame.width - 0.5,
-                                       0.5 - (place.y + double{place.dy}) / frame.height};
+        const std::array<double, 3> at{(place.x + double{place.dx}) / frame.width - 0.5,
+                                       0.5 - (place.y + double{place.dy}) / frame.height, 0};
         const Vec3d origin = transform_point(camera_->world_from_camera, value(locations_, at, location_));
         const Vec3d direction = transform_vector(camera_->world_from_camera, value(directions_, at, direction_));
         const double squared = dot(direction, direction);
@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    static Vec3d value(const std::optional<fields::FunctionEvaluator>& function, const std::array<double, 2>& at,
+    static Vec3d value(const std::optional<fields::FunctionEvaluator>& function, const std::array<double, 3>& at,
                        Vec3d otherwise) {
         if (!function) return otherwise;
         fields::NoiseCells cells;

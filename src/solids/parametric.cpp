@@ -38,7 +38,7 @@ public:
         fields::NoiseCells cells;
         fields::GradientEvaluation<2> surface(function_, cells);
         const auto slope_at = [&](double u, double v) {
-            surface.run(std::array{u, v});
+            surface.run(std::array{u, v, 0.0});
             const Frame f = frame_of(surface);
             return cross(f.by_u, f.by_v);
         };
@@ -76,6 +76,7 @@ private:
     void explore() {
         fields::NoiseCells cells;
         fields::RangeEvaluation<2> ranges(function_, cells);
+        if (p_.function->input_count > 2) ranges.set_input(2, fields::AffineMath<2>::constant(0));
         const Vec3d size = container_.upper - container_.lower;
         const double small = std::max({size.x, size.y, size.z}) / 150;
         const std::size_t cost = std::max<std::size_t>(p_.function->code.size(), 8);
@@ -160,7 +161,7 @@ private:
             std::array<double, 2> at{patch.lower[0] + start * width[0], patch.lower[1] + start * width[1]};
             bool arrived = false;
             for (int step = 0; step < 12 && !arrived; ++step) {
-                surface.run(at);
+                surface.run(std::array{at[0], at[1], 0.0});
                 const Frame f = frame_of(surface);
                 const double r = dot(line.a, f.place) - line.a_at;
                 const double s = dot(line.b, f.place) - line.b_at;
@@ -187,7 +188,7 @@ private:
                 within = within && at[i] >= patch.lower[i] - kSlack * width[i] &&
                          at[i] <= patch.upper[i] + kSlack * width[i];
             if (!within) continue;
-            surface.run(at);
+            surface.run(std::array{at[0], at[1], 0.0});
             const Vec3d place = frame_of(surface).place;
             const double t = dot(place - ray.origin, ray.direction) / dot(ray.direction, ray.direction);
             if (!range.contains(t) || !in_container(place)) continue;

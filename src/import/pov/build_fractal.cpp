@@ -131,7 +131,7 @@ NodeShape read_parametric(ItemReader& items) {
     parametric.last = items.vector2("the greatest u and v");
     if (!(parametric.first[0] < parametric.last[0] && parametric.first[1] < parametric.last[1]))
         items.fail("an empty range of u or v", "the second vector must be greater in both components");
-    parametric.function = read_functions(items.context(), functions, 2);
+    parametric.function = read_functions(items.context(), functions, 3);
     return parametric;
 }
 

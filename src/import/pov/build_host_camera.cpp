@@ -57,7 +57,7 @@ std::shared_ptr<const scene::Function> read_camera_functions(BuildContext& conte
         if (!function) items.unexpected("three functions of x and y");
     }
     if (!items.at_end()) items.unexpected("'}'");
-    return read_functions(context, functions, 2);
+    return read_functions(context, functions, 3);
 }
 
 }  // namespace sundog::pov
