@@ -28,6 +28,8 @@ private:
         std::uint32_t first = 0, count = 0;
         bool transparent = false, reflective = false;
     };
+    /// Its interior's number among the RenderScene's.
+    std::uint32_t interior_of(const scene::PatternedSurface& surface);
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment);
     /// A list of normals, into `code`.
@@ -36,6 +38,7 @@ private:
     const scene::Scene& scene_;
     RenderScene& out_;
     std::map<const scene::LayeredTexture*, Layers> compiled_;
+    std::map<std::uint32_t, std::uint32_t> interiors_;  // By the scene's numbers.
 };
 
 /// FEATURE_* bits that a material of layers needs; 0 for others.
