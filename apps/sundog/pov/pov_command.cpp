@@ -257,6 +257,7 @@ private:
             options.max_depth = 0;
             options.min_weight = 1e6F;  // Not straight on either.
         }
+        options.radiosity = settings_.quality >= 9;
         return options;
     }
 

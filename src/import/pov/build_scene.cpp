@@ -26,7 +26,7 @@ void SceneBuilder::read(const Block& block) {
     }
     switch (block.keyword) {
         case Keyword::camera:
-            context_.scene.projection_camera = read_camera(context_, block).camera;
+            context_.scene.projection_camera = read_camera(objects_, block).camera;
             return;
         case Keyword::background:
             read_background(context_, block);
