@@ -149,9 +149,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                 if (FEATURE(FEATURE_TRANSPARENT)) {
                     real3 dimmed = inside_transmittance(SCENE_ path.insides, interior, crossing.leaves, hit.t);
                     path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
-                    lobes.eta =
-                        select(lobes.patterned, crossing_eta(SCENE_ crossing, interior, path.insides), lobes.eta);
                 }
+                lobes.eta = select(lobes.patterned, crossing_eta(SCENE_ crossing, interior, path.insides), lobes.eta);
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
