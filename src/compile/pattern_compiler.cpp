@@ -176,6 +176,27 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
     return layers;
 }
 
+std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surface) {
+    // The open air, and after it the interior of all objects that have none of their own: within glass, povray takes
+    // them for bubbles of air.
+    if (out_.interiors.empty()) out_.interiors.assign(2, {1, 1, 0, {1, 1, 1}});
+    if (surface.interior_number == 0 && surface.interior == scene::Interior{}) return 1;
+    if (const auto known = interiors_.find(surface.interior_number);
+        known != interiors_.end() && surface.interior_number != 0)
+        return known->second;
+    const scene::Interior& interior = surface.interior;
+    kernel::Interior out{};
+    out.ior = interior.ior > 0 ? interior.ior : 1;
+    out.fade_distance = interior.fade_distance > 0 ? interior.fade_distance : 1;
+    out.fade_power = interior.fade_distance > 0 ? interior.fade_power : 0;
+    out.fade_color = to_kernel(interior.fade_color);
+    // Beyond the numbers that rays can keep, objects share the last.
+    if (out_.interiors.size() < kernel::MAX_INTERIORS) out_.interiors.push_back(out);
+    const auto number = static_cast<std::uint32_t>(out_.interiors.size() - 1);
+    interiors_[surface.interior_number] = number;
+    return number;
+}
+
 kernel::Material PatternCompiler::compile_surface(const scene::Material& material) {
     const scene::PatternedSurface& surface = *material.patterned;
     const Layers& layers = layers_of(material);
@@ -186,17 +207,14 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     patterned.texture_from_world_z = to_kernel(to_float(m.z)),
     patterned.texture_from_world_t = to_kernel(to_float(m.t));
     patterned.first_layer = layers.first, patterned.layer_count = layers.count;
-    patterned.ior = surface.interior.ior > 0 ? surface.interior.ior : 1;
-    patterned.fade_distance = surface.interior.fade_distance;
-    patterned.fade_power = surface.interior.fade_distance > 0 ? surface.interior.fade_power : 0;
-    patterned.fade_color = to_kernel(surface.interior.fade_color);
+    patterned.interior = interior_of(surface);
 
     kernel::Material out{};
     out.flags = kernel::MATERIAL_PATTERNED;
     if (layers.transparent) out.flags |= kernel::MATERIAL_TRANSPARENT;
     if (layers.reflective) out.reflectance = {1, 1, 1};  // Only told to material_features; the layers say how much.
     if (layers.transparent) out.transmittance = {1, 1, 1};
-    out.ior = patterned.ior;
+    out.ior = out_.interiors[patterned.interior].ior;
     for (kernel::TextureRef* ref : {&out.diffuse_texture, &out.specular_texture, &out.emission_texture,
                                     &out.opacity_texture, &out.bump_texture, &out.normal_texture})
         ref->texture = kernel::NONE;

@@ -33,6 +33,8 @@ private:
         std::uint32_t first = 0, count = 0;
         bool transparent = false, reflective = false;
     };
+    /// Its interior's number among the RenderScene's.
+    std::uint32_t interior_of(const scene::PatternedSurface& surface);
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment);
     /// Where a normal's pattern has warps: the program of its point; else NONE.
@@ -44,6 +46,7 @@ private:
     RenderScene& out_;
     std::shared_ptr<fields::HostFieldTable> host_;
     std::map<const scene::LayeredTexture*, Layers> compiled_;
+    std::map<std::uint32_t, std::uint32_t> interiors_;  // By the scene's numbers.
 };
 
 /// FEATURE_* bits that a material of layers needs; 0 for others.

@@ -69,6 +69,13 @@ KERNEL_CONST uint LAYER_CONSERVE_ENERGY = 2u;  ///< What is reflected doesn't pa
 /// Most layers of a texture.
 KERNEL_CONST uint MAX_LAYERS = 8u;
 
+/// Most entries of `interiors`: their numbers have 16 bits.
+KERNEL_CONST uint MAX_INTERIORS = 65536u;
+
+/// Units of PathState::depth that a reflection or refraction counts; passing straight through a texture of layers
+/// counts one, so it is all but free.
+KERNEL_CONST uint DEPTH_UNITS = 256u;
+
 /// Pigment programs: words of the array `code`. An instruction's first word is opcode | target << 8 | source << 16 |
 /// source2 << 24; operands follow, floats by their bits. Targets and sources number points, values or colours, of which
 /// there are PROGRAM_SLOTS each. Point 0 is where the pigment is asked for; colour 0 is the answer.
@@ -277,8 +284,13 @@ struct Material {
 struct PatternedMaterial {
     vec3 texture_from_world_x, texture_from_world_y, texture_from_world_z, texture_from_world_t;
     uint first_layer, layer_count;  ///< Into `layers`, the top one first.
+    uint interior;                  ///< Into `interiors`; 0: none.
+};
+
+/// What is inside an object. Number 0 is the open air.
+struct Interior {
     float ior;
-    float fade_distance, fade_power;  ///< Light dims on its way through the inside; power 0: not at all.
+    float fade_distance, fade_power;  ///< Light dims on its way; power 0: not at all; 1000 and more: exponentially.
     vec3 fade_color;
 };
 

@@ -102,6 +102,7 @@ struct Interior {
     float caustics = 0;
     float fade_distance = 0, fade_power = 0;
     Vec3 fade_color{0, 0, 0};
+    bool operator==(const Interior&) const = default;
 };
 
 /// A texture of one or more layers, the first below all others.
@@ -114,6 +115,7 @@ struct PatternedSurface {
     std::shared_ptr<const LayeredTexture> texture;
     Affine3d texture_from_world;  ///< What the object's transforms did to the texture, inverted.
     Interior interior;
+    std::uint32_t interior_number = 0;  ///< Surfaces of one object, and objects that share it, have the same; 0: none.
 };
 
 }  // namespace sundog::scene

@@ -123,7 +123,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
         } else if (items.take(Keyword::adc_bailout)) {
             scene.settings.min_weight = static_cast<float>(items.number("a weight"));
         } else if (items.take(Keyword::max_trace_level)) {
-            scene.settings.max_depth = items.integer("a level", 1, 256);
+            // The eye's ray counts, too.
+            scene.settings.max_depth = items.integer("a level", 1, 256) - 1;
         } else if (items.take(Keyword::ambient_light)) {
             scene.ambient = rgb_of(items.color("a color"));
         } else if (items.take(Keyword::noise_generator)) {

@@ -30,7 +30,12 @@ scene::Index MaterialTable::append(const TexturePointer& texture, const Affine3d
     material.name = "texture";
     material.where = texture->layers.front().pigment->where;
     material.patterned = scene::PatternedSurface{texture, inverse(world_from_texture), {}};
-    if (interior) material.patterned->interior = *interior;
+    if (interior) {
+        material.patterned->interior = *interior;
+        // The table holds on to interiors, so that none comes to lie where another one was.
+        const auto number = static_cast<std::uint32_t>(interiors_.size() + 1);
+        material.patterned->interior_number = interiors_.try_emplace(interior, number).first->second;
+    }
     scene_.materials.push_back(std::move(material));
     return static_cast<scene::Index>(scene_.materials.size() - 1);
 }

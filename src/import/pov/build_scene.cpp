@@ -68,7 +68,7 @@ void SceneBuilder::finish() {
     constexpr float kAdcBailout = 1.0F / 255;  // POV-Ray's default
     constexpr int kMaxTraceLevel = 5;
     if (!scene.settings.min_weight) scene.settings.min_weight = kAdcBailout;
-    if (!scene.settings.max_depth) scene.settings.max_depth = kMaxTraceLevel;
+    if (!scene.settings.max_depth) scene.settings.max_depth = kMaxTraceLevel - 1;
 }
 
 }  // namespace sundog::pov

@@ -265,7 +265,7 @@ TEST(BuildSettings, SurroundingsArriveInTheScene) {
         "global_settings { max_trace_level 12 adc_bailout 0.02 ambient_light rgb <1, 2, 3> radiosity { count 3 } }"
         "background { rgb <0.1, 0.2, 0.3> } fog { fog_type 2 distance 10 rgb 0.5 fog_alt 2 fog_offset 1 }"
         "sky_sphere { pigment { gradient y } rotate 90*x }");
-    EXPECT_EQ(built.scene.settings.max_depth, 12);
+    EXPECT_EQ(built.scene.settings.max_depth, 11);
     EXPECT_FLOAT_EQ(*built.scene.settings.min_weight, 0.02F);
     expect_near(built.scene.ambient, {1, 2, 3});
     expect_near(built.scene.sky, {0.1, 0.2, 0.3});

@@ -16,6 +16,7 @@
 #include "kernel/lights/light.h"
 #include "kernel/lights/shadow.h"
 #include "kernel/materials/bump.h"
+#include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
 #ifdef __cplusplus
@@ -28,9 +29,10 @@ KERNEL_BEGIN
 struct PathState {
     Ray ray;
     real3 weight;
-    word depth;  ///< Surfaces before it on its path.
+    word depth;  ///< Surfaces before it on its path, in DEPTH_UNITS.
     word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
     mask alive;
+    Insides insides;  ///< What it is inside of, as far as that is known.
 };
 
 /// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
@@ -109,6 +111,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.kind = word(RAY_CAMERA);
 #endif
     path.alive = alive;
+    path.insides = no_insides();
     first.t = real(3.0e38f);
     first.normal = black;
     first.albedo = black;
@@ -138,9 +141,16 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
             Lobes lobes = evaluate_material(SCENE_ s, path.ray.direction);
             LayerColors layered;
+            Crossing crossing;
             real3 smooth_normal = s.normal;
             if (FEATURE(FEATURE_PATTERNED)) {
-                path.weight = path.weight * inside_transmittance(SCENE_ s, hit.t, found);
+                word interior = interior_of(SCENE_ s, lobes.patterned);
+                crossing = crossing_at(SCENE_ s, interior, path.insides);
+                if (FEATURE(FEATURE_TRANSPARENT)) {
+                    real3 dimmed = inside_transmittance(SCENE_ path.insides, interior, crossing.leaves, hit.t);
+                    path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
+                }
+                lobes.eta = select(lobes.patterned, crossing_eta(SCENE_ crossing, interior, path.insides), lobes.eta);
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
@@ -161,14 +171,18 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                 first.material = select(found, s.material, word(NONE));
             }
             if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
-                mask deeper = mask_and(found, path.depth < word(FRAME.max_depth));
+                // Straight on where eta is 1, to the last bit.
+                mask straight = mask_and(lobes.patterned, abs(lobes.eta - 1.0f) <= real(0.0f));
+                word deepest = word(FRAME.max_depth * DEPTH_UNITS);
+                mask deeper = mask_and(found, path.depth < deepest);
+                mask deeper_on = mask_and(found, path.depth < select(straight, deepest + word(DEPTH_UNITS), deepest));
                 real3 reflected = path.weight * lobes.reflectance;
                 real3 transmitted = path.weight * lobes.transmittance;
                 real reflected_most = max(reflected.x, max(reflected.y, reflected.z));
                 real transmitted_most = max(transmitted.x, max(transmitted.y, transmitted.z));
                 mask reflects =
                     mask_and(mask_and(deeper, reflected_most > real(0.0f)), reflected_most >= real(FRAME.min_weight));
-                mask transmits = mask_and(mask_and(deeper, transmitted_most > real(0.0f)),
+                mask transmits = mask_and(mask_and(deeper_on, transmitted_most > real(0.0f)),
                                           transmitted_most >= real(FRAME.min_weight));
                 mask both = mask_and(reflects, transmits);
                 if (waiting_count == MAX_BRANCHES) {
@@ -187,7 +201,10 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
 
                 follow = mask_or(reflects, transmits);
                 if (any_lane(follow)) {
-                    path.depth = path.depth + word(1u);
+                    word reflected_depth = path.depth + word(DEPTH_UNITS);
+                    word transmitted_depth = path.depth + select(straight, word(1u), word(DEPTH_UNITS));
+                    Insides behind_insides = path.insides;
+                    if (FEATURE(FEATURE_PATTERNED)) behind_insides = crossing.behind;
                     real3 incoming = path.ray.direction;
                     real3 reflected_direction = mirror_direction(incoming, s.normal);
                     // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
@@ -215,7 +232,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                                 branch.ray.t_min = real(0.0f);
                                 branch.ray.t_max = real(3.0e38f);
                                 branch.weight = transmitted;
-                                branch.depth = path.depth;
+                                branch.depth = transmitted_depth;
+                                branch.insides = behind_insides;
                                 branch.kind = path.kind;
                                 branch.alive = both;
                                 waiting[waiting_count] = branch;
@@ -226,6 +244,9 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                         }
                     }
                     path.weight = select(reflects, reflected, transmitted);
+                    path.depth = select(reflects, reflected_depth, transmitted_depth);
+                    path.insides.inner = select(reflects, path.insides.inner, behind_insides.inner);
+                    path.insides.outer = select(reflects, path.insides.outer, behind_insides.outer);
                     path.kind = select(reflects, word(RAY_REFLECTED), path.kind);
                     path.ray = next;
                 }

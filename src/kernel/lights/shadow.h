@@ -5,6 +5,7 @@
 #define SUNDOG_KERNEL_LIGHTS_SHADOW_H
 
 #include "kernel/lights/light.h"
+#include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
 #include "kernel/rays.h"
 
@@ -38,7 +39,9 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
         if (FEATURE(FEATURE_PATTERNED)) {
             LayerColors layered;
             evaluate_layers(SCENE_ s, ray.direction, alive, true, lobes, layered);
-            passes = lobes.transmittance * inside_transmittance(SCENE_ s, hit.t, alive);
+            word interior = interior_of(SCENE_ s, lobes.patterned);
+            passes =
+                lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);
         }
         transmittance = select(alive, transmittance * passes, transmittance);
         alive = mask_and(alive, max(transmittance.x, max(transmittance.y, transmittance.z)) > real(0.0f));
