@@ -80,7 +80,6 @@ std::vector<std::string> scene_names() {
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> differences{
         {"finish_reflection_exponent", "reflection's exponent isn't drawn"},
-        {"interior_box", "edges in glass; the cause was not found"},
         {"light_area_illumination",
          "half shadows: povray shades by the mean of all lights, and darkens that by the shadow of the area as a "
          "whole"},
