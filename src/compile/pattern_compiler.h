@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "device/render_scene.h"
 #include "scene/scene.h"
@@ -20,7 +22,7 @@ public:
     /// The kernel's material for one whose `patterned` is set. Errors: InputError for more than MAX_LAYERS layers,
     /// pigment maps nested deeper than PROGRAM_SLOTS.
     kernel::Material compile_surface(const scene::Material& material);
-    /// Sky spheres and fogs. Errors as above.
+    /// Sky spheres, fogs and the atmosphere's media. Errors as above.
     void compile_sky();
 
 private:
@@ -30,12 +32,15 @@ private:
     };
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment);
+    /// A list of media, into `code`; NONE for none.
+    std::uint32_t media_of(const std::vector<scene::Medium>& media, const Affine3d& medium_from_world);
     /// A list of normals, into `code`.
     std::uint32_t normals_of(const scene::Normal& normal);
 
     const scene::Scene& scene_;
     RenderScene& out_;
     std::map<const scene::LayeredTexture*, Layers> compiled_;
+    std::map<std::string, std::uint32_t> media_;  ///< By the list's address and place.
 };
 
 /// FEATURE_* bits that a material of layers needs; 0 for others.

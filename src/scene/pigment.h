@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "base/vec3d.h"
+#include "scene/medium.h"
 
 namespace sundog::scene {
 
@@ -167,6 +168,7 @@ struct Interior {
     float caustics = 0;
     float fade_distance = 0, fade_power = 0;
     Vec3 fade_color{0, 0, 0};
+    std::shared_ptr<const std::vector<Medium>> media;  ///< Added up; null: none.
 };
 
 /// A texture of one or more layers, the first below all others.
@@ -179,6 +181,8 @@ struct PatternedSurface {
     std::shared_ptr<const LayeredTexture> texture;
     Affine3d texture_from_world;  ///< What the object's transforms did to the texture, inverted.
     Interior interior;
+    Affine3d interior_from_world;  ///< Where its media lie.
+    bool hollow = false;           ///< Fog and media around it go on inside; media of its own need that, too.
 };
 
 }  // namespace sundog::scene

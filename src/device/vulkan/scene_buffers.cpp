@@ -69,6 +69,11 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
         const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
         sentences.push_back(place + "radiosity is what only the CPU computes; use --device cpu");
     }
+    for (const SourceLocation& where : scene.media_places) {
+        const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
+        sentences.push_back(place + "media are drawn by the CPU only; use --device cpu");
+        break;
+    }
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }

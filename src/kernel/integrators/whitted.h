@@ -19,6 +19,7 @@
 #include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
 #ifdef __cplusplus
+#include "kernel/integrators/media.h"
 #include "kernel/lights/indirect.h"
 #endif
 
@@ -28,8 +29,9 @@ KERNEL_BEGIN
 struct PathState {
     Ray ray;
     real3 weight;
-    word depth;  ///< Surfaces before it on its path.
-    word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
+    word depth;       ///< Surfaces before it on its path.
+    word kind;        ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
+    Insides insides;  ///< If FEATURE_MEDIA: what its origin is inside of.
     mask alive;
 };
 
@@ -42,7 +44,7 @@ struct FirstHit {
 };
 
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
-FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, mask alive,
+FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, Insides insides, mask alive,
                      INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
     base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     highlight = real3(real(0.0f));
@@ -65,7 +67,8 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
             if (FEATURE(FEATURE_SHADOWS)) {
                 if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
                     real3 origin = s.position + s.geometric_normal * s.error;
-                    light_color = light_color * light_visibility(SCENE_ light, origin, to_light, distance, lit, counts);
+                    light_color =
+                        light_color * light_visibility(SCENE_ light, origin, to_light, distance, insides, lit, counts);
                 }
             }
             light_color = select(lit, light_color, real3(real(0.0f)));
@@ -108,6 +111,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
 #else
     path.kind = word(RAY_CAMERA);
 #endif
+    path.insides = eye_insides(SCENE_ alive);
     path.alive = alive;
     first.t = real(3.0e38f);
     first.normal = black;
@@ -121,10 +125,20 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, is_first);
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
+#ifdef __cplusplus
+        if (FEATURE(FEATURE_MEDIA)) {
+            radiance = radiance + media_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.insides,
+                                                 path.alive, path.weight, counts);
+        }
+#endif
         if (FEATURE(FEATURE_ATMOSPHERE)) {
             if (FRAME.fog_count > 0u) {
-                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.weight);
-                radiance = radiance + select(path.alive, glow, black);
+                mask in_fog = path.alive;
+                if (FEATURE(FEATURE_MEDIA)) in_fog = mask_and(in_fog, mask_not(in_solid(path.insides)));
+                real3 dimmed = path.weight;
+                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), dimmed);
+                radiance = radiance + select(in_fog, glow, black);
+                path.weight = select(in_fog, dimmed, path.weight);
             }
             if (any_lane(missed)) {
                 radiance = radiance + select(missed, path.weight * sky_radiance(SCENE_ path.ray.direction), black);
@@ -147,7 +161,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             }
             real3 base;
             real3 highlight;
-            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, found, counts, base, highlight);
+            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, path.insides, found, counts, base, highlight);
 #ifdef __cplusplus
             if (FEATURE(FEATURE_RADIOSITY))
                 base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
@@ -208,6 +222,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                             mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
                             refracted_direction = select(bends, normalize(refracted_direction), incoming);
                             real3 behind = s.position - s.geometric_normal * s.error;
+                            Insides beyond = path.insides;
+                            if (FEATURE(FEATURE_MEDIA)) beyond = insides_beyond(SCENE_ s, beyond, transmits);
                             if (any_lane(both)) {
                                 PathState branch;
                                 branch.ray.origin = behind;
@@ -217,12 +233,15 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                                 branch.weight = transmitted;
                                 branch.depth = path.depth;
                                 branch.kind = path.kind;
+                                branch.insides = beyond;
                                 branch.alive = both;
                                 waiting[waiting_count] = branch;
                                 waiting_count = waiting_count + 1u;
                             }
                             next.origin = select(reflects, next.origin, behind);
                             next.direction = select(reflects, next.direction, refracted_direction);
+                            for (uint i = 0u; i < MAX_INSIDES; i = i + 1u)
+                                path.insides.entry[i] = select(reflects, path.insides.entry[i], beyond.entry[i]);
                         }
                     }
                     path.weight = select(reflects, reflected, transmitted);
