@@ -222,6 +222,9 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
     for (const kernel::Geometry& g : scene.geometries)
         if (g.hidden_from != 0) features |= kernel::FEATURE_HIDDEN;
     if (moving) features |= kernel::FEATURE_INSTANCES;
+    // Fog isn't in what isn't hollow.
+    const bool in_fog = !scene.fogs.empty() && (features & kernel::FEATURE_PATTERNED) != 0;
+    if (!scene.media_places.empty() || in_fog) features |= kernel::FEATURE_MEDIA;
     return features;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "compile/compile.h"
 #include "compile/convert.h"
+#include "compile/insides.h"
 #include "compile/lights.h"
 
 namespace sundog {
@@ -185,6 +187,12 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
 
     params.features = compiled.features;
     if (frame.camera_normal != kernel::NONE) params.features |= kernel::FEATURE_NORMALS;
+    params.atmosphere = compiled.atmosphere;
+    std::fill(std::begin(params.eye_insides), std::end(params.eye_insides), kernel::NONE);
+    if (params.features & kernel::FEATURE_MEDIA) {
+        const kernel::vec3 eye = params.camera.eye;
+        set_insides(compiled, {eye.x, eye.y, eye.z}, params.eye_insides);
+    }
     if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
         params.features |= kernel::FEATURE_LIGHT_SHAPES;
     if (params.fog_count > 0 || params.sky_layer_count > 0) params.features |= kernel::FEATURE_ATMOSPHERE;

@@ -49,6 +49,8 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
     std::vector<std::string> material_names;      ///< One for each of `materials`.
+    std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
+    std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
     std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.
     /// Instead of the kernel's camera; null: the kernel's. Devices that can't ask it say so.

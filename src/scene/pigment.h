@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "base/vec3d.h"
+#include "scene/medium.h"
 #include "scene/pattern.h"
 
 namespace sundog::scene {
@@ -102,6 +103,7 @@ struct Interior {
     float caustics = 0;
     float fade_distance = 0, fade_power = 0;
     Vec3 fade_color{0, 0, 0};
+    std::shared_ptr<const std::vector<Medium>> media;  ///< Added up; null: none.
     bool operator==(const Interior&) const = default;
 };
 
@@ -115,6 +117,8 @@ struct PatternedSurface {
     std::shared_ptr<const LayeredTexture> texture;
     Affine3d texture_from_world;  ///< What the object's transforms did to the texture, inverted.
     Interior interior;
+    Affine3d interior_from_world;  ///< Where its media lie.
+    bool hollow = false;           ///< Fog and media around it go on inside; media of its own need that, too.
     std::uint32_t interior_number = 0;  ///< Surfaces of one object, and objects that share it, have the same; 0: none.
 };
 

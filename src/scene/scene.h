@@ -108,8 +108,10 @@ struct Light {
     bool moving = false;
     Vec3 speed, amplitude;  ///< Used when moving; speed in radians per second.
     bool shadows = true;
-    bool highlights = true;  ///< A shadowless or fill light of POV-Ray's has none.
-    Vec3 point_at;           ///< spotlight, cylinder
+    bool media_attenuation = false;  ///< Fog and the atmosphere's media dim it on its way to what it lights.
+    bool media_interaction = true;   ///< Media scatter it.
+    bool highlights = true;          ///< A shadowless or fill light of POV-Ray's has none.
+    Vec3 point_at;                   ///< spotlight, cylinder
     float radius = 30,
           falloff = 45;   ///< spotlight: half angles of the bright and the outer cone, degrees; cylinder: lengths.
     float tightness = 0;  ///< Exponent of the cosine towards the rim.
@@ -274,6 +276,7 @@ struct Scene {
     Vec3 sky{0, 0, 0};               ///< Linear RGB radiance of rays that hit nothing.
     float sky_alpha = 1;             ///< Opacity of the sky in pictures that have alpha.
     std::vector<Fog> fogs;
+    std::vector<Medium> atmosphere;  ///< Media that are everywhere.
     std::vector<SkySphere> sky_spheres;
     std::optional<Radiosity> radiosity;
     Settings settings;

@@ -83,6 +83,10 @@ const std::map<std::string, const char*>& known_differences() {
         {"light_area_illumination",
          "half shadows: povray shades by the mean of all lights, and darkens that by the shadow of the area as a "
          "whole"},
+        {"media_emission", "povray's few samples of varying media lie elsewhere"},
+        {"media_scattering", "povray counts scattered light a few percent brighter"},
+        {"media_spotlight", "povray counts scattered light a few percent brighter"},
+        {"media_transformed", "povray's few samples of varying media lie elsewhere"},
         {"shape_height_field", "shading of smooth height fields: povray's vertex normals aren't known"},
     };
     return differences;

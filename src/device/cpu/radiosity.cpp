@@ -94,7 +94,12 @@ Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKern
     scene_.frame.working_gamma = 1;
     scene_.frame.min_weight = settings_.min_weight;
     scene_.frame.aovs = kernel::AOV_DEPTH;
-    if (!settings_.through_media) scene_.frame.fog_count = 0;
+    if (!settings_.through_media) {
+        scene_.frame.fog_count = 0;
+        scene_.frame.features &= ~kernel::FEATURE_MEDIA;
+    }
+    // What the eye is inside of isn't where light is gathered.
+    std::fill(std::begin(scene_.frame.eye_insides), std::end(scene_.frame.eye_insides), kernel::NONE);
     for (kernel::Light& light : matt_lights_) {
         light.flags &= ~kernel::LIGHT_HIGHLIGHTS;
         light.area_count_u = light.area_count_v = 1;

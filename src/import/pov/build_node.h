@@ -63,6 +63,7 @@ struct Node {
     TexturePointer
         fallback;  ///< #default's where the block is: an outermost object's is for all parts without a texture.
     InteriorPointer interior;
+    Affine3d parent_from_interior;
     std::vector<Clip> clipped_by, bounded_by;
     bool inverted = false;
     bool hollow = false;

@@ -7,6 +7,7 @@
 #include "import/pov/build_atmosphere.h"
 #include "import/pov/build_camera.h"
 #include "import/pov/build_materials.h"
+#include "import/pov/build_media.h"
 
 namespace sundog::pov {
 
@@ -44,7 +45,7 @@ void SceneBuilder::read(const Block& block) {
             context_.warn_once("rainbow", block.where, "rainbow { } isn't drawn yet");
             return;
         case Keyword::media:
-            context_.warn_once("media", block.where, "media { } isn't drawn yet");
+            context_.scene.atmosphere.push_back(read_medium(context_, block));
             return;
         default:
             break;
@@ -60,7 +61,7 @@ void SceneBuilder::finish() {
     scene::Scene& scene = context_.scene;
     if (!scene.projection_camera) scene.projection_camera = CameraParts{}.camera;
     if (scene.materials.empty()) {
-        static_cast<void>(MaterialTable(scene).of(textures_.default_texture(Block{}), {}, nullptr));
+        static_cast<void>(MaterialTable(scene).of(textures_.default_texture(Block{}), {}, {}));
     }
     constexpr double kLinear = 1, kAsStored = 0;
     scene.settings.working_gamma =

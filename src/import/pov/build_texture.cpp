@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "import/pov/build_media.h"
 #include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
 #include "import/pov/build_pigment.h"
@@ -396,6 +397,11 @@ MaterialParts TextureReader::read_material(const std::shared_ptr<const Block>& b
             const Affine3d old_from_moved = inverse(moved_from_old);
             if (parts.texture) parts.texture = moved(parts.texture, old_from_moved);
             if (parts.interior_texture) parts.interior_texture = moved(parts.interior_texture, old_from_moved);
+            if (parts.interior && parts.interior->media) {
+                auto interior = std::make_shared<scene::Interior>(*parts.interior);
+                move_interior(*interior, old_from_moved);
+                parts.interior = std::move(interior);
+            }
         }
     }
     return parts;
@@ -404,6 +410,7 @@ MaterialParts TextureReader::read_material(const std::shared_ptr<const Block>& b
 InteriorPointer TextureReader::read_interior(const Block& block) {
     const scene::Interior interior = pov::read_interior(context_, block);
     std::string key;
+    if (interior.media) return std::make_shared<const scene::Interior>(interior);
     append_bytes(key, interior.ior, interior.dispersion, interior.caustics, interior.fade_distance, interior.fade_power,
                  interior.fade_color);
     InteriorPointer& known = interiors_[std::move(key)];

@@ -77,7 +77,11 @@ SceneWriter::Surroundings SceneWriter::within(const Surroundings& around, const 
         inside.interior_texture = node.interior_texture.texture;
         inside.world_from_interior_texture = around.world_from_parent * node.interior_texture.parent_from_texture;
     }
-    if (node.interior) inside.interior = node.interior;
+    if (node.interior) {
+        inside.interior.interior = node.interior;
+        inside.interior.world_from_interior = around.world_from_parent * node.parent_from_interior;
+    }
+    inside.interior.hollow |= node.hollow;
     inside.no_shadow |= node.no_shadow;
     inside.no_image |= node.no_image;
     inside.no_reflection |= node.no_reflection;

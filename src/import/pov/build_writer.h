@@ -29,7 +29,7 @@ private:
         TexturePointer fallback{};  // #default's where the outermost object is, for parts without a texture.
         TexturePointer texture{}, interior_texture{};  // Null: none.
         Affine3d world_from_texture{}, world_from_interior_texture{};
-        InteriorPointer interior{};
+        PlacedInterior interior{};
         bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
         bool double_illuminate = false;
     };

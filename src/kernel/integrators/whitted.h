@@ -20,6 +20,7 @@
 #include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
 #ifdef __cplusplus
+#include "kernel/integrators/media.h"
 #include "kernel/lights/indirect.h"
 #endif
 
@@ -32,7 +33,8 @@ struct PathState {
     word depth;  ///< Surfaces before it on its path, in DEPTH_UNITS.
     word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
     mask alive;
-    Insides insides;  ///< What it is inside of, as far as that is known.
+    Insides insides;     ///< What it is inside of, as far as that is known.
+    MediaInsides media;  ///< If FEATURE_MEDIA: of what its origin is inside, whose media it passes.
 };
 
 /// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
@@ -44,7 +46,7 @@ struct FirstHit {
 };
 
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
-FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, mask alive,
+FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, MediaInsides media, mask alive,
                      INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
     base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     highlight = real3(real(0.0f));
@@ -67,7 +69,8 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
             if (FEATURE(FEATURE_SHADOWS)) {
                 if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
                     real3 origin = s.position + s.geometric_normal * s.error;
-                    light_color = light_color * light_visibility(SCENE_ light, origin, to_light, distance, lit, counts);
+                    light_color =
+                        light_color * light_visibility(SCENE_ light, origin, to_light, distance, media, lit, counts);
                 }
             }
             light_color = select(lit, light_color, real3(real(0.0f)));
@@ -110,6 +113,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
 #else
     path.kind = word(RAY_CAMERA);
 #endif
+    path.media = eye_insides(SCENE_ alive);
     path.alive = alive;
     path.insides = no_insides();
     first.t = real(3.0e38f);
@@ -124,10 +128,20 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, is_first);
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
+#ifdef __cplusplus
+        if (FEATURE(FEATURE_MEDIA)) {
+            radiance = radiance + media_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.media,
+                                                 path.alive, path.weight, counts);
+        }
+#endif
         if (FEATURE(FEATURE_ATMOSPHERE)) {
             if (FRAME.fog_count > 0u) {
-                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.weight);
-                radiance = radiance + select(path.alive, glow, black);
+                mask in_fog = path.alive;
+                if (FEATURE(FEATURE_MEDIA)) in_fog = mask_and(in_fog, mask_not(in_solid(path.media)));
+                real3 dimmed = path.weight;
+                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), dimmed);
+                radiance = radiance + select(in_fog, glow, black);
+                path.weight = select(in_fog, dimmed, path.weight);
             }
             if (any_lane(missed)) {
                 radiance = radiance + select(missed, path.weight * sky_radiance(SCENE_ path.ray.direction), black);
@@ -157,7 +171,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             }
             real3 base;
             real3 highlight;
-            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, found, counts, base, highlight);
+            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, path.media, found, counts, base, highlight);
 #ifdef __cplusplus
             if (FEATURE(FEATURE_RADIOSITY))
                 base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
@@ -225,6 +239,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                             mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
                             refracted_direction = select(bends, normalize(refracted_direction), incoming);
                             real3 behind = s.position - s.geometric_normal * s.error;
+                            MediaInsides beyond = path.media;
+                            if (FEATURE(FEATURE_MEDIA)) beyond = insides_beyond(SCENE_ s, beyond, transmits);
                             if (any_lane(both)) {
                                 PathState branch;
                                 branch.ray.origin = behind;
@@ -235,12 +251,15 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                                 branch.depth = transmitted_depth;
                                 branch.insides = behind_insides;
                                 branch.kind = path.kind;
+                                branch.media = beyond;
                                 branch.alive = both;
                                 waiting[waiting_count] = branch;
                                 waiting_count = waiting_count + 1u;
                             }
                             next.origin = select(reflects, next.origin, behind);
                             next.direction = select(reflects, next.direction, refracted_direction);
+                            for (uint i = 0u; i < MAX_INSIDES; i = i + 1u)
+                                path.media.entry[i] = select(reflects, path.media.entry[i], beyond.entry[i]);
                         }
                     }
                     path.weight = select(reflects, reflected, transmitted);
