@@ -38,6 +38,9 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
     out.program = program;
     out.flags =
         (f.reflection_fresnel ? kernel::LAYER_FRESNEL : 0U) | (f.conserve_energy ? kernel::LAYER_CONSERVE_ENERGY : 0U);
+    if (layer.share) out.flags |= kernel::LAYER_PART;
+    if (layer.first_part) out.flags |= kernel::LAYER_FIRST_PART;
+    if (layer.parts_end) out.flags |= kernel::LAYER_PARTS_END;
     out.uses_uv = layer.pigment->uv_mapping ? 1 : 0;
     out.ambient = to_kernel(f.ambient);
     out.emission = to_kernel(f.emission);
@@ -104,9 +107,9 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
 
 }  // namespace
 
-std::uint32_t PatternCompiler::program_of(const Pigment& pigment) {
+std::uint32_t PatternCompiler::program_of(const Pigment& pigment, const Pigment* weight) {
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    fields::write_pigment_code(pigment, out_.code, *host_);
+    fields::write_pigment_code(pigment, out_.code, *host_, weight);
     publish_host();
     return start;
 }
@@ -120,7 +123,7 @@ std::uint32_t PatternCompiler::point_program_of(const scene::PatternNormal& part
 }
 
 void PatternCompiler::publish_host() {
-    if (host_->empty()) return;
+    if (!host_->needed()) return;
     if (!out_.host_fields) out_.host_fields = host_, out_.first_host_field = host_->first_where();
 }
 
@@ -142,8 +145,9 @@ std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
         using Kind = scene::PatternNormal::Kind;
         out_.code.push_back(programs[i][0]);
         out_.code.push_back(normal_kind(part.kind));
-        put(part.amount);
-        out_.code.push_back(part.keeps_depth ? 1 : 0);
+        const bool facets = part.kind == Kind::special && pattern.kind == scene::Pattern::Kind::facets;
+        put(facets ? 1 : part.amount);
+        out_.code.push_back(facets ? 2 : part.keeps_depth ? 1 : 0);
         out_.code.push_back(part.kind == Kind::dents     ? fields::noise_generator_of(pattern)
                             : part.kind == Kind::special ? host_->add(fields::make_host_normal(pattern), part.where)
                                                          : programs[i][1]);
@@ -214,15 +218,20 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
                           "", "leave out the lowest"});
     layers.first = static_cast<std::uint32_t>(out_.layers.size());
     layers.count = static_cast<std::uint32_t>(texture.layers.size());
-    layers.transparent = true;  // as long as every layer over another lets light through
+    layers.transparent = true;                    // as long as every layer over another lets light through
+    bool before_parts = true, some_part = false;  // Of parts side by side, one that does is enough.
     for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
-        out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment)));
+        out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment, layer->share.get())));
         out_.layers.back().normal = kernel::NONE;
         if (layer->normal) {
             out_.layers.back().normal = normals_of(*layer->normal);
             out_.layers.back().normal_uses_uv = layer->normal->uv_mapping ? 1 : 0;
         }
+        if (layer->first_part) before_parts = layers.transparent, some_part = false;
+        else if (layer->share) some_part = some_part || layers.transparent;
+        if (layer->share) layers.transparent = before_parts;
         layers.transparent = layers.transparent && lets_light_through(*layer->pigment, scene_.textures);
+        if (layer->parts_end) layers.transparent = layers.transparent || some_part;
         layers.reflective = layers.reflective || reflects(layer->finish);
     }
     return layers;

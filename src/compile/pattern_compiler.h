@@ -38,7 +38,7 @@ private:
     /// Its interior's number among the RenderScene's.
     std::uint32_t interior_of(const scene::PatternedSurface& surface);
     const Layers& layers_of(const scene::Material& material);
-    std::uint32_t program_of(const scene::Pigment& pigment);
+    std::uint32_t program_of(const scene::Pigment& pigment, const scene::Pigment* weight = nullptr);
     /// Where a normal's pattern has warps: the program of its point; else NONE.
     std::uint32_t point_program_of(const scene::PatternNormal& part);
     /// Gives the table of host fields to the RenderScene, once there are any.

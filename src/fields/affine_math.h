@@ -289,9 +289,17 @@ struct AffineMath {
         return *out;
     }
     void pigment(std::uint32_t index, const Value& x, const Value& y, const Value& z, Value* out) const {
-        static_cast<void>(x), static_cast<void>(y), static_cast<void>(z);
+        // Where it can't change quickly, its colour in the middle says more than the range of all that it can be.
+        const Vec3d half{0.5 * (x.upper - x.lower), 0.5 * (y.upper - y.lower), 0.5 * (z.upper - z.lower)};
+        const double reach = pigments->slope_limit(index) * length(half) * (1 + 1e-9) + 1e-5;
+        std::array<double, 5> middle{};
+        const bool known = reach < 1;
+        if (known)
+            middle =
+                pigments->color(index, 0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper), 0.5 * (z.lower + z.upper));
         for (std::uint8_t i = 0; i < 5; ++i) {
-            const std::array<double, 2> range = pigments->range(index, i);
+            std::array<double, 2> range = pigments->range(index, i);
+            if (known) range = {std::max(range[0], middle[i] - reach), std::min(range[1], middle[i] + reach)};
             out[i] = anywhere<N>(range[0], range[1]);
         }
     }

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] virtual std::array<double, 5> color(std::uint32_t index, double x, double y, double z) const = 0;
     /// The least and the most that a component can be anywhere.
     [[nodiscard]] virtual std::array<double, 2> range(std::uint32_t index, std::uint8_t component) const = 0;
+    /// The most that a component changes over a distance of 1; infinite where that isn't known.
+    [[nodiscard]] virtual double slope_limit(std::uint32_t index) const = 0;
 };
 
 struct DoubleMath {

@@ -7,6 +7,8 @@
 
 #include "fields/fractals.h"
 #include "fields/function_evaluator.h"
+#include "fields/pigment_evaluator.h"
+#include "fields/quilted.h"
 #include "fields/warps.h"
 
 namespace sundog::fields {
@@ -57,13 +59,11 @@ double slope_value(const scene::SlopeForm& slope, const FieldPoint& point) {
     return (size * value + altitude_size * altitude) / (size + altitude_size);
 }
 
-/// Cells of size 1 with seams: highest at their corners. As povray's values show.
+/// Highest at the corners of cells. As povray's values show.
 double quilted_value(double control0, double control1, Vec3d p) {
-    const auto from_middle = [](double v) { return std::abs(v - std::floor(v) - 0.5); };
-    const Vec3d d{from_middle(p.x), from_middle(p.y), from_middle(p.z)};
-    const double u = length(d);
-    const double curve = u * (2.0 / 3 * u * u + 2 * control0 * (1 - u) * (1 - u) + 2 * control1 * u * (1 - u));
-    return (d.x + d.y + d.z) / std::numbers::sqrt3 * curve;
+    const Vec3d d = from_cell_middle(p);
+    return (std::abs(d.x) + std::abs(d.y) + std::abs(d.z)) / std::numbers::sqrt3 *
+           quilted_curve(control0, control1, length(d));
 }
 
 /// The voxel that a place in 0..1 lies in, or interpolated towards the next voxels, round and round.
@@ -135,6 +135,22 @@ private:
     std::shared_ptr<const FunctionEvaluator> evaluator_;
 };
 
+/// Which texture of a list a picture chooses.
+class MaterialField {
+public:
+    MaterialField(const scene::Pattern& pattern, std::span<const scene::Texture> textures)
+        : count_(std::max(pattern.choices, 1)),
+          picture_(std::make_shared<const PigmentEvaluator>(std::array{pattern.pigment}, textures)) {}
+    double operator()(const FieldPoint& point) const {
+        const Vec3d p = point.position;
+        return std::fmod(std::round(picture_->color(0, p.x, p.y, p.z)[0] * 255), count_);
+    }
+
+private:
+    double count_;
+    std::shared_ptr<const PigmentEvaluator> picture_;
+};
+
 }  // namespace
 
 bool is_host_field(Kind kind) {
@@ -143,6 +159,7 @@ bool is_host_field(Kind kind) {
         case Kind::density_file:
         case Kind::fractal:
         case Kind::function:
+        case Kind::material:
         case Kind::object:
         case Kind::quilted:
         case Kind::slope:
@@ -167,6 +184,9 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
         case Kind::function:
             if (pattern.function) return field(FunctionField(pattern.function, textures));
             break;
+        case Kind::material:
+            if (pattern.pigment) return field(MaterialField(pattern, textures));
+            break;
         case Kind::object:
             if (pattern.inside_of)
                 return field([test = pattern.inside_of](const FieldPoint& point) {
@@ -186,10 +206,6 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
 }
 
 std::unique_ptr<HostField> make_host_warp(const scene::Warp& warp) { return std::make_unique<WarpField>(warp); }
-
-std::unique_ptr<HostField> make_host_normal(const scene::Pattern& /*pattern*/) {
-    return field([](const FieldPoint&) { return 0.0; });
-}
 
 kernel::vec3 HostFieldTable::at(kernel::uint index, const kernel::HostPoint& point) const {
     const auto vec = [](kernel::vec3 v) {

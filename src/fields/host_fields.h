@@ -45,14 +45,19 @@ public:
 
     /// `where` is the pigment or normal that needs it.
     std::uint32_t add(std::unique_ptr<HostField> field, const SourceLocation& where) {
-        if (fields_.empty()) first_where_ = where;
+        need(where);
         fields_.push_back(std::move(field));
         return static_cast<std::uint32_t>(fields_.size() - 1);
     }
     std::uint32_t add_field(const scene::Pattern& pattern, const SourceLocation& where) {
         return add(make_host_field(pattern, textures_), where);
     }
-    [[nodiscard]] bool empty() const { return fields_.empty(); }
+    /// Says that a program can only be run by the host.
+    void need(const SourceLocation& where) {
+        if (!needed_) first_where_ = where;
+        needed_ = true;
+    }
+    [[nodiscard]] bool needed() const { return needed_; }
     [[nodiscard]] const SourceLocation& first_where() const { return first_where_; }
 
     [[nodiscard]] kernel::vec3 at(kernel::uint index, const kernel::HostPoint& point) const override;
@@ -60,6 +65,7 @@ public:
 private:
     std::span<const scene::Texture> textures_;  ///< Of use only while fields are added.
     std::vector<std::unique_ptr<HostField>> fields_;
+    bool needed_ = false;
     SourceLocation first_where_;
 };
 

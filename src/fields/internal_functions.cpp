@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace sundog::fields {
 namespace {
@@ -139,6 +141,84 @@ std::uint32_t generator_of(Number n) {
 Number noise3d(Arguments a) { return a[0].builder->noise(a[0], a[1], a[2], 2); }
 Number noise_generator(Arguments a) { return a[0].builder->noise(a[0], a[1], a[2], generator_of(a[3])); }
 
+/// Octaves, which must be known; where they aren't, 6.
+int octaves_of(Number n) { return static_cast<int>(std::clamp(n.builder->value_of(n).value_or(6), 1.0, 40.0)); }
+/// Noise around 0 at `scale` times the point.
+Number signed_noise(Arguments a, Number scale, std::uint32_t generator) {
+    return 2 * a[0].builder->noise(a[0] * scale, a[1] * scale, a[2] * scale, generator) - 1;
+}
+// Multifractals (Ebert et al., Texturing and Modeling): a[3] is H, a[4] the lacunarity, a[5] the octaves, a[6] the
+// offset, a[8] the noise generator. The sums were checked against values that povray 3.7 prints.
+Number hetero_multifractal(Arguments a) {
+    const std::uint32_t generator = generator_of(a[8]);
+    const double exponent = std::floor(a[7].builder->value_of(a[7]).value_or(1));
+    Number scale = constant(a, 1);
+    Number value = a[6] + signed_noise(a, scale, generator);
+    for (int i = 1; i < octaves_of(a[5]); ++i) {
+        scale = scale * a[4];
+        const Number weight = exponent == 0   ? constant(a, 1)
+                              : exponent == 1 ? value
+                                              : pow(value, constant(a, exponent));
+        value = value + (signed_noise(a, scale, generator) + a[6]) * pow(scale, -a[3]) * weight;
+    }
+    return value;
+}
+/// a[7] is the gain.
+Number ridged_multifractal(Arguments a) {
+    const std::uint32_t generator = generator_of(a[8]);
+    Number scale = constant(a, 1);
+    Number signal = sqr(a[6] - abs(signed_noise(a, scale, generator)));
+    Number value = signal;
+    for (int i = 1; i < octaves_of(a[5]); ++i) {
+        scale = scale * a[4];
+        const Number weight = min(max(signal * a[7], constant(a, 0)), constant(a, 1));
+        signal = sqr(a[6] - abs(signed_noise(a, scale, generator))) * weight;
+        value = value + signal * pow(scale, -a[3]);
+    }
+    return value;
+}
+/// The mean of folded noises: a[3] is lambda, a[4] the octaves, a[5] omega, a[6] the offset, a[7] where they fold.
+Number ridge(Arguments a) {
+    const std::uint32_t generator = generator_of(a[8]);
+    Number scale = constant(a, 1), weight = constant(a, 1), sum = constant(a, 0), total = constant(a, 0);
+    const Number largest = max(a[6], 1 - a[6]);
+    for (int i = 0; i < octaves_of(a[4]); ++i) {
+        const Number noise = a[0].builder->noise(a[0] * scale, a[1] * scale, a[2] * scale, generator);
+        sum = sum + weight * (abs(1 - noise / a[7]) - a[6]) / largest;
+        total = total + weight;
+        scale = scale * a[3], weight = weight * a[5];
+    }
+    return sum / total;
+}
+
+/// Distance in a cross section: 0 square, 1 circle, 2 diamond, and all between.
+Number cross_section(Number type, Number u, Number v) {
+    const std::optional<double> known = type.builder->value_of(type);
+    if (known && *known == 0) return max(abs(u), abs(v));
+    if (known && *known == 1) return sqrt(sqr(u) + sqr(v));
+    if (known && *known == 2) return abs(u) + abs(v);
+    return pow(pow(abs(u), 2 / type) + pow(abs(v), 2 / type), type / 2);
+}
+/// a[3] strands wind around the y axis at the radius a[6], by the angle a[4] a unit; a[5] is their own radius, a[7]
+/// stretches them along y, a[8] is the type of their cross section, a[9] turns it.
+Number helix1(Arguments a) {
+    constexpr double kPi = std::numbers::pi;
+    const Number radius = sqrt(x2(a) + z2(a));
+    const Number angle = a[3] * (atan2(a[2], a[0]) + a[4] * a[1]) - kPi;
+    const Number from_strand = angle - 2 * kPi * floor(angle / (2 * kPi) + 0.5);
+    const Number up = from_strand / (a[3] * a[4] * a[7]), outwards = radius - a[6];
+    const Number turn = a[9] * (kPi / 180);
+    const Number u = outwards * cos(turn) - up * sin(turn), v = outwards * sin(turn) + up * cos(turn);
+    return min(cross_section(a[8], u, v) - a[5], radius + a[6] - a[5]);
+}
+
+/// a[3] lies between the components, a[4] is their inverse size, a[5] their strength, a[6] the threshold.
+Number blob2(Arguments a) {
+    const Number near = exp(-a[4] * r2(a));
+    const Number far = exp(-a[4] * (sqr(a[0] - a[3]) + y2(a) + z2(a)));
+    return a[6] - a[5] * (near + far);
+}
+
 struct Entry {
     InternalFunction function;
     Number (*build)(Arguments);
@@ -147,6 +227,7 @@ struct Entry {
 constexpr std::array kFunctions{
     Entry{{4, "f_bicorn", 5}, bicorn},
     Entry{{5, "f_bifolia", 5}, bifolia},
+    Entry{{7, "f_blob2", 7}, blob2},
     Entry{{8, "f_boy_surface", 5}, boy_surface},
     Entry{{11, "f_crossed_trough", 4}, crossed_trough},
     Entry{{12, "f_cubic_saddle", 4}, cubic_saddle},
@@ -157,6 +238,8 @@ constexpr std::array kFunctions{
     Entry{{20, "f_folium_surface", 6}, folium_surface},
     Entry{{22, "f_glob", 4}, glob},
     Entry{{23, "f_heart", 4}, heart},
+    Entry{{25, "f_helix1", 10}, helix1},
+    Entry{{29, "f_hetero_mf", 9}, hetero_multifractal},
     Entry{{30, "f_hunt_surface", 4}, hunt_surface},
     Entry{{31, "f_hyperbolic_torus", 6}, hyperbolic_torus},
     Entry{{33, "f_kampyle_of_eudoxus", 6}, kampyle_of_eudoxus},
@@ -178,6 +261,8 @@ constexpr std::array kFunctions{
     Entry{{55, "f_quartic_saddle", 4}, quartic_saddle},
     Entry{{56, "f_quartic_cylinder", 6}, quartic_cylinder},
     Entry{{57, "f_r", 3}, distance},
+    Entry{{58, "f_ridge", 9}, ridge},
+    Entry{{59, "f_ridged_mf", 9}, ridged_multifractal},
     Entry{{60, "f_rounded_box", 7}, rounded_box},
     Entry{{61, "f_sphere", 4}, sphere},
     Entry{{63, "f_spikes_2d", 7}, spikes_2d},

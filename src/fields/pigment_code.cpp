@@ -94,9 +94,8 @@ std::uint32_t standard_wave(Pattern::Kind kind) {
         case Pattern::Kind::marble:
         case Pattern::Kind::wood:
         case Pattern::Kind::spiral1:
-            return kernel::WAVE_TRIANGLE;
         case Pattern::Kind::spiral2:
-            return kernel::WAVE_NONE;
+            return kernel::WAVE_TRIANGLE;
         default:
             return kernel::WAVE_RAMP;
     }
@@ -151,6 +150,11 @@ public:
         where_ = &pigment.where;
     }
     void end() { instruction(kernel::OP_END, 0); }
+    /// Makes the red of a pigment the program's weight; where it is 0, what follows isn't run.
+    void write_weight(const Pigment& weight) {
+        write(weight, 0, 0);
+        instruction(kernel::OP_WEIGHT, 0);
+    }
 
     /// The number of the point that a pattern is to be asked at: base or the one after it. `slot` says for which lanes.
     std::uint32_t write_point(const Pattern& pattern, const SourceLocation& where, std::uint32_t slot,
@@ -221,6 +225,11 @@ private:
             write(*pattern.pigment, slot, point);
             instruction(kernel::OP_GRAY, slot, slot);
             code_.push_back(pattern.uses_alpha ? 1 : 0);
+        } else if (pattern.kind == Pattern::Kind::crackle && !(pattern.crackle == scene::CrackleForm{})) {
+            host_.need(*where_);
+            instruction(kernel::OP_CRACKLE, slot, point);
+            put(pattern.crackle.form), put(pattern.crackle.metric), put(pattern.crackle.offset);
+            code_.push_back(pattern.crackle.solid ? 1 : 0);
         } else if (is_host_field(pattern.kind)) {
             instruction(kernel::OP_HOST_FIELD, slot, point, slot);
             code_.push_back(host_.add_field(pattern, *where_));
@@ -253,7 +262,7 @@ private:
         // Floors and walls lie on the borders of squares all the time (a checker on plane { y, -1 }); single precision
         // would draw lots there. POV-Ray gives such a border to the upper side.
         constexpr double kBorder = 1e-4;
-        if (pattern.kind == Pattern::Kind::object) {
+        if (pattern.kind == Pattern::Kind::object || pattern.kind == Pattern::Kind::material) {
             const std::uint32_t point = write_point(pattern, *where_, slot, base);
             instruction(kernel::OP_HOST_FIELD, slot, point, slot);
             code_.push_back(host_.add_field(pattern, *where_));
@@ -328,8 +337,10 @@ std::uint32_t noise_generator_of(const Pattern& pattern) {
     return pattern.noise_generator == 0 ? 2 : static_cast<std::uint32_t>(std::clamp(pattern.noise_generator, 1, 3));
 }
 
-void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host) {
+void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host,
+                        const scene::Pigment* weight) {
     ProgramWriter writer(code, host);
+    if (weight != nullptr) writer.write_weight(*weight);
     writer.write(pigment, 0, 0);
     writer.end();
 }

@@ -6,6 +6,7 @@
 
 #include "base/srgb.h"
 #include "fields/pigment_code.h"
+#include "fields/slope_limits.h"
 #include "kernel/patterns/program.h"
 
 namespace sundog::fields {
@@ -62,6 +63,7 @@ PigmentEvaluator::PigmentEvaluator(std::span<const std::shared_ptr<const scene::
             range[0] -= slack, range[1] += slack;
         }
         ranges_.push_back(ranges);
+        slope_limits_.push_back(pigment_slope_limit(*pigment));
     }
 }
 

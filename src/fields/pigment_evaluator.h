@@ -23,6 +23,7 @@ public:
 
     [[nodiscard]] std::array<double, 5> color(std::uint32_t index, double x, double y, double z) const override;
     [[nodiscard]] std::array<double, 2> range(std::uint32_t index, std::uint8_t component) const override;
+    [[nodiscard]] double slope_limit(std::uint32_t index) const override { return slope_limits_[index]; }
 
 private:
     void keep_images(const scene::Pigment& pigment, std::span<const scene::Texture> textures);
@@ -32,6 +33,7 @@ private:
     std::vector<kernel::TextureInfo> infos_;
     std::vector<std::uint32_t> texels_;
     std::vector<std::array<std::array<double, 2>, 5>> ranges_;
+    std::vector<double> slope_limits_;
 };
 
 }  // namespace sundog::fields

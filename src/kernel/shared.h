@@ -67,6 +67,9 @@ KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material:
 /// Layer::flags.
 KERNEL_CONST uint LAYER_FRESNEL = 1u;          ///< Reflection follows Fresnel's equations by the interior's ior.
 KERNEL_CONST uint LAYER_CONSERVE_ENERGY = 2u;  ///< What is reflected doesn't pass through.
+KERNEL_CONST uint LAYER_PART = 4u;             ///< The top layer of a part of a patterned texture: see OP_WEIGHT.
+KERNEL_CONST uint LAYER_FIRST_PART = 8u;       ///< And that of the first part.
+KERNEL_CONST uint LAYER_PARTS_END = 16u;       ///< The lowest layer of the last part.
 
 /// Most layers of a texture.
 KERNEL_CONST uint MAX_LAYERS = 8u;
@@ -106,6 +109,10 @@ KERNEL_CONST uint OP_GRAY = 15u;         ///< value[target] = grey of colour[sou
 // By the host alone (see HostFields): its number is the operand, source2 the slot whose lanes ask.
 KERNEL_CONST uint OP_HOST_FIELD = 16u;  ///< value[target] = host's field at point[source].
 KERNEL_CONST uint OP_HOST_WARP = 17u;   ///< point[target] = host's warp of point[source].
+KERNEL_CONST uint OP_CRACKLE =
+    18u;  ///< value[target] = crackle at point[source]: 3 factors of distances, metric, offset, 1 if solid.
+
+KERNEL_CONST uint OP_WEIGHT = 19u;  ///< The program's weight = colour[0].red; where it is 0 in all lanes, it ends.
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;
@@ -140,9 +147,10 @@ KERNEL_CONST uint CHOICE_TRIANGULAR = 4u;
 KERNEL_CONST uint CHOICE_CUBIC = 5u;
 
 /// Lists of normals in `code`: their count, then NORMAL_WORDS each: weight program (NONE: 1), NORMAL_* kind, amount, 1
-/// if scaling leaves depths alone (no_bump_scale), a program or number of the kind's, two floats of the kind's,
-/// turbulence's lambda, omega and octaves (0: none), pattern_from_texture (columns x, y, z, t), turbulence's amounts, a
-/// program that makes point 1 the pattern's point (with warps; NONE: what precedes says where it is).
+/// if scaling leaves depths alone (no_bump_scale), 2 if what is added is in world space, a program or number of the
+/// kind's, two floats of the kind's, turbulence's lambda, omega and octaves (0: none), pattern_from_texture (columns x,
+/// y, z, t), turbulence's amounts, a program that makes point 1 the pattern's point (with warps; NONE: what precedes
+/// says where it is).
 KERNEL_CONST uint NORMAL_WORDS = 26u;
 KERNEL_CONST uint NORMAL_PATTERN = 0u;  ///< Height program; step of differences.
 KERNEL_CONST uint NORMAL_IMAGE = 1u;    ///< Height program; a texel's width and height.

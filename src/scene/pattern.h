@@ -106,6 +106,7 @@ struct Pattern {
         triangular,  ///< 6
         cubic,       ///< 6
         object,      ///< 2: outside, inside of a solid
+        material,    ///< As many as `choices`, by the red of `pigment`, which is an image: 255 of it a texel.
         // Fields
         gradient,  ///< Along `axis`.
         agate,
@@ -166,6 +167,7 @@ struct Pattern {
     SlopeForm slope;
     PavementForm pavement;
     int tiling = 1;
+    int choices = 0;                              ///< material
     double control0 = 1, control1 = 1;            ///< quilted
     double facet_coords = 0, facet_size = 0;      ///< facets: one of them is given.
     std::shared_ptr<const DensityGrid> density;   ///< density_file

@@ -94,6 +94,11 @@ struct TextureLayer {
     std::shared_ptr<const Pigment> pigment;
     Finish finish;
     std::shared_ptr<const Normal> normal = nullptr;  ///< Null: the surface's own.
+    /// The top layer of a part of a patterned texture (texture_map, checker of textures, …) has the part's share, red of
+    /// this pigment. The parts' layers follow each other, and add up.
+    std::shared_ptr<const Pigment> share = nullptr;
+    bool first_part = false;  ///< Of the top layer of a patterned texture: no part is over it.
+    bool parts_end = false;   ///< Of the lowest layer of a patterned texture.
 };
 
 /// What is inside a solid (section 3.5.7 "Interior").

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "fields/function_evaluator.h"
+#include "fields/pigment_evaluator.h"
+#include "import/pov/build_function.h"
 #include "output/image.h"
 #include "scene/files.h"
 #include "scene/stand_in.h"
@@ -54,6 +58,55 @@ float read_amount_for_all(ItemReader& items, float before) {
         return before;
     }
     return static_cast<float>(first);
+}
+
+/// 0..1 as a byte; what lies beyond comes round again, as in povray's pictures.
+std::uint32_t byte_of(double value) {
+    if (!std::isfinite(value)) return 0;
+    const double kept = value >= 0 && value <= 1 ? value : value - std::floor(value);
+    return static_cast<std::uint32_t>(std::lround(kept * 255));
+}
+
+/// `function Width, Height { … }`: its values over the unit square, the first row at y = 0.
+scene::Index texture_of_function(BuildContext& context, ItemReader& items) {
+    constexpr int kMostPixels = 8192;
+    const int width = items.integer("a width in pixels", 1, kMostPixels);
+    const int height = items.integer("a height in pixels", 1, kMostPixels);
+    const std::shared_ptr<const FunctionExpression> function = items.take_function();
+    if (!function) items.unexpected("a function");
+    scene::Texture texture;
+    texture.name = "function";
+    texture.where = context.location(function->where);
+    texture.width = static_cast<std::uint32_t>(width), texture.height = static_cast<std::uint32_t>(height);
+    texture.srgb = false;
+    texture.rgba8.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    const auto for_pixels = [&](auto color_at) {
+        for (int row = 0; row < height; ++row)
+            for (int column = 0; column < width; ++column)
+                texture.rgba8.push_back(color_at(static_cast<double>(column) / std::max(width - 1, 1),
+                                                 static_cast<double>(row) / std::max(height - 1, 1)));
+    };
+    if (function->kind == FunctionKind::pigment) {
+        const std::array pigments{BlockPigments(context).pigment_of(function->block)};
+        const fields::PigmentEvaluator evaluator(pigments, context.scene.textures);
+        for_pixels([&](double x, double y) {
+            const std::array<double, 5> c = evaluator.color(0, x, y, 0);
+            const std::uint32_t opacity = byte_of(1 - std::clamp(c[3] + c[4], 0.0, 1.0));
+            return byte_of(c[0]) | byte_of(c[1]) << 8U | byte_of(c[2]) << 16U | opacity << 24U;
+        });
+    } else {
+        const auto flat = read_functions(context, std::array{function}, 3);
+        const fields::FunctionEvaluator evaluator(flat, context.scene.textures);
+        fields::NoiseCells cells;
+        fields::PointEvaluation evaluation(evaluator, cells);
+        std::uint64_t budget = context.options.limits.steps;
+        for_pixels([&](double x, double y) {
+            if (!evaluation.run(std::array{x, y, 0.0}, budget)) items.fail("the limit of steps was hit in a function");
+            return byte_of(evaluation.output(0)) * 0x010101U | 0xff000000U;
+        });
+    }
+    context.scene.textures.push_back(std::move(texture));
+    return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }
 
 bool is_srgb(const BuildContext& context, const Block& block, const ImageName& image) {
@@ -120,12 +173,8 @@ scene::ImageMap read_image_map(BuildContext& context, const Block& block, ImageU
     scene::ImageMap image;
     if (const auto base = items.take_block(block.keyword)) {
         image = read_image_map(context, *base, use);
-    } else if (items.value_follows() || items.take_function()) {
-        while (items.value_follows() || items.take_function())
-            if (items.value_follows()) items.skip();
-        context.warn_once("function image", block.where, "images made of functions aren't drawn yet",
-                          "magenta squares stand in for them");
-        image.texture = scene::missing_texture(context.scene);
+    } else if (items.take(Keyword::function)) {
+        image.texture = texture_of_function(context, items);
     } else {
         const ImageName name = read_image_name(items);
         image.texture = texture_of(context, name, use == ImageUse::color && is_srgb(context, block, name));

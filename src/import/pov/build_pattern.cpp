@@ -67,7 +67,7 @@ constexpr std::array kKinds{
     NamedKind{Keyword::wrinkles, Kind::wrinkles},
 };
 
-bool is_drawn(Kind kind) { return kind != Kind::pavement && kind != Kind::tiling && kind != Kind::facets; }
+bool is_drawn(Kind kind) { return kind != Kind::pavement && kind != Kind::tiling; }
 
 /// slope <direction>, low, high [altitude <direction>, low, high], or with point_at; within a block or not.
 void read_slope(ItemReader& items, scene::SlopeForm& slope) {
@@ -334,6 +334,8 @@ std::size_t choice_count(scene::Pattern::Kind kind) {
         case Kind::brick:
         case Kind::object:
             return 2;
+        case Kind::material:  // As many as there are textures.
+            return 256;
         case Kind::hexagon:
             return 3;
         case Kind::square:

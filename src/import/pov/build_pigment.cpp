@@ -26,6 +26,37 @@ PigmentColor default_choice(scene::Pattern::Kind kind, std::size_t index) {
     return few ? kTiles[index % kTiles.size()] : kSides[index % kSides.size()];
 }
 
+/// The map of a pattern that has none of its own, as pictures of povray 3.7 show it.
+PigmentEntries default_map(const scene::Pattern& pattern) {
+    const auto entry = [](float at, float r, float g, float b) { return PigmentEntry{at, {r, g, b, 0, 0}, nullptr}; };
+    using Kind = scene::Pattern::Kind;
+    switch (pattern.kind) {
+        case Kind::agate:
+            return {entry(0, 1, 1, 1),
+                    entry(0.5F, 0.95F, 0.75F, 0.5F),
+                    entry(0.5F, 0.9F, 0.7F, 0.5F),
+                    entry(0.6F, 0.9F, 0.7F, 0.4F),
+                    entry(0.6F, 1, 0.7F, 0.4F),
+                    entry(1, 0.6F, 0.3F, 0)};
+        case Kind::bozo:
+            return {entry(0.4F, 1, 1, 1), entry(0.4F, 0, 1, 0), entry(0.6F, 0, 1, 0),
+                    entry(0.6F, 0, 0, 1), entry(0.8F, 0, 0, 1), entry(0.8F, 1, 0, 0)};
+        case Kind::marble:
+            return {entry(0, 0.9F, 0.8F, 0.8F), entry(0.9F, 0.9F, 0.08F, 0.08F), entry(0.9F, 0, 0, 0)};
+        case Kind::radial:
+            return {entry(0, 0, 1, 1), entry(0.33333333F, 1, 1, 0), entry(0.66666667F, 1, 0, 1), entry(1, 0, 1, 1)};
+        case Kind::wood:
+            return {entry(0.6F, 0.666F, 0.312F, 0.2F), entry(0.6F, 0.4F, 0.133F, 0.066F)};
+        case Kind::fractal:
+            if (pattern.fractal.julia || pattern.fractal.formula != scene::FractalForm::Formula::power) break;
+            return {entry(0.001F, 0, 0, 0), entry(0.001F, 0, 1, 1), entry(0.012F, 1, 1, 0), entry(0.015F, 1, 0, 1),
+                    entry(0.1F, 0, 1, 1)};
+        default:
+            break;
+    }
+    return {entry(0, 0, 0, 0), entry(1, 1, 1, 1)};
+}
+
 std::shared_ptr<const Pigment> read_shared(BuildContext& context, const Block& block) {
     return std::make_shared<const Pigment>(read_pigment(context, block, {}));
 }
@@ -174,7 +205,7 @@ private:
         if (map_given_ && pigment_.kind == Pigment::Kind::solid)
             context_.fail(block_.where, "a map without a pattern", "expected a pattern such as gradient or bozo");
         if (pigment_.kind == Pigment::Kind::mapped && pigment_.entries.empty())
-            pigment_.entries = {{0, {0, 0, 0, 0, 0}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
+            pigment_.entries = default_map(pigment_.pattern);
         place(
             parts_, [this](const Affine3d& old_from_new) { move_pigment(pigment_, old_from_new); },
             [this](const scene::Warp& warp) { bend_pigment(pigment_, warp); });

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "import/pov/build_material_map.h"
 #include "import/pov/build_media.h"
 #include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
@@ -71,6 +72,11 @@ void bend_texture(LayeredTexture& texture, const scene::Warp& warp) {
             bend_normal(*normal, warp);
             layer.normal = std::move(normal);
         }
+        if (layer.share) {
+            auto share = std::make_shared<Pigment>(*layer.share);
+            bend_pigment(*share, warp);
+            layer.share = std::move(share);
+        }
         if (!is_positional(*layer.pigment)) continue;
         auto bent = std::make_shared<Pigment>(*layer.pigment);
         bend_pigment(*bent, warp);
@@ -87,6 +93,11 @@ void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
             move_normal(*normal, old_from_new);
             layer.normal = std::move(normal);
         }
+        if (layer.share) {
+            auto share = std::make_shared<Pigment>(*layer.share);
+            move_pigment(*share, old_from_new);
+            layer.share = std::move(share);
+        }
         if (!is_positional(*layer.pigment)) continue;
         auto moved = std::make_shared<Pigment>(*layer.pigment);
         move_pigment(*moved, old_from_new);
@@ -95,8 +106,9 @@ void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
 }
 
 bool is_positional(const LayeredTexture& texture) {
-    return std::any_of(texture.layers.begin(), texture.layers.end(),
-                       [](const TextureLayer& layer) { return layer.normal || is_positional(*layer.pigment); });
+    return std::any_of(texture.layers.begin(), texture.layers.end(), [](const TextureLayer& layer) {
+        return layer.normal || layer.share || is_positional(*layer.pigment);
+    });
 }
 
 /// Reads one `texture { }`.
@@ -147,7 +159,7 @@ private:
         } else if (const auto map = items_.take_block(Keyword::texture_map)) {
             read_map(*map);
         } else if (const auto materials = items_.take_block(Keyword::material_map)) {
-            read_material_map(*materials);
+            read_textures_of_material_map(*materials);
         } else if (const auto tiles = items_.take_block(Keyword::tiles)) {
             read_tiles(*tiles);
         } else if (items_.take(Keyword::uv_mapping)) {
@@ -208,18 +220,11 @@ private:
         }
     }
 
-    void read_material_map(const Block& block) {
-        context_.warn_once("material_map", block.where, "material_map { } isn't drawn yet",
-                           "its first texture stands for all");
-        ItemReader items(context_, block);
-        while (!items.at_end()) {
-            if (const auto texture = items.take_block(Keyword::texture)) {
-                take_base(owner_.read(texture));
-                return;
-            }
-            items.skip();
-        }
-        context_.fail(block.where, "a material_map without textures", "expected texture { }");
+    void read_textures_of_material_map(const Block& block) {
+        MaterialMap map = read_material_map(context_, block);
+        for (const auto& texture : map.textures) entries_.push_back({0, owner_.read(texture)});
+        parts_.pattern = std::move(map.pattern);
+        parts_.given = true;
     }
 
     void read_tiles(const Block& block) {

@@ -12,6 +12,9 @@ namespace {
 
 using scene::Finish;
 
+/// As many as devices draw (kernel::MAX_LAYERS); more are blended.
+constexpr std::size_t kMostLayers = 8;
+
 bool same(const Finish& a, const Finish& b) {
     return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
            a.diffuse_back == b.diffuse_back && a.brilliance == b.brilliance && a.phong == b.phong &&
@@ -47,8 +50,55 @@ std::shared_ptr<const scene::Pigment> clear_pigment() {
 
 }  // namespace
 
-scene::LayeredTexture blend_textures(BuildContext& context, Place where, const scene::Pattern& pattern,
-                                     const std::vector<TextureEntry>& entries) {
+namespace {
+
+/// The share of entry `index` of a pattern's, times the share that it has already.
+std::shared_ptr<const scene::Pigment> share_of(const scene::Pattern& pattern, const std::vector<TextureEntry>& entries,
+                                               std::size_t index, const scene::TextureLayer& layer,
+                                               SourceLocation where) {
+    auto share = std::make_shared<scene::Pigment>();
+    share->where = std::move(where);
+    share->pattern = pattern;
+    share->kind = choice_count(pattern.kind) > 0 ? scene::Pigment::Kind::choice : scene::Pigment::Kind::mapped;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const float value = i == index ? 1.0F : 0.0F;
+        share->entries.push_back({entries[i].at, {value, value, value, 0, 0}, i == index ? layer.share : nullptr});
+    }
+    return share;
+}
+
+/// True for a texture that is nothing but parts side by side, or has none.
+bool can_be_part(const scene::LayeredTexture& texture) {
+    const auto& layers = texture.layers;
+    const auto has_share = [](const scene::TextureLayer& layer) { return layer.share != nullptr; };
+    if (std::none_of(layers.begin(), layers.end(), has_share)) return true;
+    return layers.back().first_part && layers.front().parts_end &&
+           std::count_if(layers.begin(), layers.end(), [](const auto& layer) { return layer.first_part; }) == 1;
+}
+
+/// The entries side by side, each with its share: finishes and normals are exactly theirs.
+scene::LayeredTexture textures_side_by_side(BuildContext& context, Place where, const scene::Pattern& pattern,
+                                            const std::vector<TextureEntry>& entries) {
+    scene::LayeredTexture result;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        std::vector<scene::TextureLayer> layers = entries[i].texture->layers;
+        if (!layers.back().share) layers.back().share = share_of(pattern, entries, i, {}, context.location(where));
+        else
+            for (scene::TextureLayer& layer : layers)
+                if (layer.share) layer.share = share_of(pattern, entries, i, layer, context.location(where));
+        for (scene::TextureLayer& layer : layers) {
+            layer.first_part = layer.parts_end = false;
+            result.layers.push_back(std::move(layer));
+        }
+    }
+    result.layers.front().parts_end = true;
+    result.layers.back().first_part = true;
+    return result;
+}
+
+/// Layer by layer, the pigments blended and the finishes averaged.
+scene::LayeredTexture textures_blended(BuildContext& context, Place where, const scene::Pattern& pattern,
+                                       const std::vector<TextureEntry>& entries, bool finishes_equal) {
     std::size_t layer_count = 0;
     for (const TextureEntry& entry : entries) layer_count = std::max(layer_count, entry.texture->layers.size());
     scene::LayeredTexture result;
@@ -65,16 +115,37 @@ scene::LayeredTexture blend_textures(BuildContext& context, Place where, const s
             normals.push_back({entry.at, has_layer ? entry.texture->layers[i].normal : nullptr});
             if (has_layer) finishes.push_back(entry.texture->layers[i].finish);
         }
-        sort_entries(pigment->entries);
-        const bool equal =
-            std::all_of(finishes.begin(), finishes.end(), [&](const Finish& f) { return same(f, finishes.front()); });
-        if (!equal)
+        if (!finishes_equal)
             context.warn_once("texture_map finishes", where, "the finishes of a texture's parts are averaged",
                               "pigments are drawn as written");
-        result.layers.push_back({std::move(pigment), equal ? finishes.front() : mean(finishes),
+        result.layers.push_back({std::move(pigment), finishes_equal ? finishes.front() : mean(finishes),
                                  blend_normals(pattern, std::move(normals))});
     }
     return result;
+}
+
+}  // namespace
+
+scene::LayeredTexture blend_textures(BuildContext& context, Place where, const scene::Pattern& pattern,
+                                     std::vector<TextureEntry> entries) {
+    if (choice_count(pattern.kind) == 0)
+        std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+    // Plain ones, alike but for their pigments, are a texture with a blended pigment: that is quicker.
+    const Finish& finish = entries.front().texture->layers.front().finish;
+    std::size_t layer_count = 0;
+    bool finishes_equal = true, can_be_parts = true, any_normal = false;
+    for (const TextureEntry& entry : entries) {
+        layer_count += entry.texture->layers.size();
+        can_be_parts = can_be_parts && can_be_part(*entry.texture);
+        for (const scene::TextureLayer& layer : entry.texture->layers) {
+            finishes_equal = finishes_equal && same(layer.finish, finish) && !layer.share;
+            any_normal = any_normal || layer.normal;
+        }
+    }
+    const bool simple = finishes_equal && !any_normal && layer_count == entries.size();
+    if (!simple && can_be_parts && layer_count <= kMostLayers)
+        return textures_side_by_side(context, where, pattern, entries);
+    return textures_blended(context, where, pattern, entries, finishes_equal);
 }
 
 }  // namespace sundog::pov

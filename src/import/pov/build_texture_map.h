@@ -16,9 +16,9 @@ struct TextureEntry {
     std::shared_ptr<const scene::LayeredTexture> texture;
 };
 
-/// The map as layers of mapped pigments. Exact where all entries have the same finish; else the layer gets the mean of
-/// its entries' finishes, with one warning a scene.
+/// The map as parts side by side, or, where entries differ in their pigments alone, as layers of mapped pigments. More
+/// parts than devices draw become layers, too: with the mean of the entries' finishes and one warning a scene.
 scene::LayeredTexture blend_textures(BuildContext& context, Place where, const scene::Pattern& pattern,
-                                     const std::vector<TextureEntry>& entries);
+                                     std::vector<TextureEntry> entries);
 
 }  // namespace sundog::pov

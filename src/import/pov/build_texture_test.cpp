@@ -178,6 +178,30 @@ TEST(BuildTexture, TextureMapsBecomePigmentMaps) {
     EXPECT_TRUE(built.warnings.empty());
 }
 
+// Entries of different finishes keep theirs: they lie side by side, the first entry lowest, each with its share; also
+// those of a map within a map.
+TEST(BuildTexture, PartsKeepTheirFinishes) {
+    const BuiltScene built = build(
+        "#declare Inner = texture { checker texture { pigment { rgb x } finish { phong 1 } } texture { pigment { rgb y "
+        "} } } "
+        "sphere { 0, 1 texture { gradient y texture_map { [0.2 Inner] [0.8 pigment { rgb z } finish { ambient 1 }] } } "
+        "}");
+    const auto& layers = surface(built).texture->layers;
+    ASSERT_EQ(layers.size(), 3U);
+    EXPECT_TRUE(layers[0].parts_end);
+    EXPECT_TRUE(layers[2].first_part);
+    EXPECT_FALSE(layers[1].first_part || layers[1].parts_end);
+    EXPECT_EQ(layers[0].finish.phong, 1);
+    EXPECT_EQ(layers[2].finish.ambient.x, 1);
+    ASSERT_TRUE(layers[1].share);
+    ASSERT_EQ(layers[1].share->entries.size(), 2U);
+    EXPECT_EQ(layers[1].share->kind, scene::Pigment::Kind::mapped);
+    ASSERT_TRUE(layers[1].share->entries[0].pigment) << "the share within the inner texture";
+    EXPECT_EQ(layers[1].share->entries[0].pigment->kind, scene::Pigment::Kind::choice);
+    EXPECT_EQ(layers[1].share->entries[1].color.r, 0);
+    EXPECT_TRUE(built.warnings.empty());
+}
+
 const scene::Normal& normal(const BuiltScene& built) { return *layer(built).normal; }
 
 // A normal's amount, accuracy and scaling must come through, its transformation inverted, with no warning.

@@ -71,8 +71,19 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         real3 albedo = black;
         real3 reflectance = black;
         real strongest = real(0.0f);
+        mask in_part = here;     // Lanes that the part at hand of a patterned texture has a share in.
+        real3 entering = above;  // What came to the first part,
+        real3 left = black;      // and what the parts so far let through.
         for (uint l = 0u; l < m.layer_count; l = l + 1u) {
             Layer layer = AT(layers, m.first_layer + l);
+            bool begins_part = (layer.flags & LAYER_PART) != 0u;
+            if ((layer.flags & LAYER_FIRST_PART) != 0u) {
+                entering = above;
+                left = black;
+            } else if (begins_part) {
+                left = left + above;
+            }
+            if (begins_part) in_part = here;
             real3 at = point;
             if (layer.uses_uv != 0u) at = real3(s.uv.x, s.uv.y, real(0.0f));
             PatternPoint asked;
@@ -80,8 +91,17 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             asked.normal = s.normal;
             asked.direction = incoming;
             asked.world = s.position;
-            asked.asking = here;
-            PigmentColor c = run_program_at(SCENE_ layer.program, asked);
+            asked.asking = in_part;
+            PigmentColor c = no_color();
+            if (any_lane(in_part)) {
+                ProgramResult answer = run_whole_program(SCENE_ layer.program, asked);
+                c = answer.color;
+                if (begins_part) {
+                    above = entering * answer.weight;
+                    in_part = mask_and(here, answer.weight > real(0.0f));
+                    asked.asking = in_part;
+                }
+            }
             // Of more than all it lets through, a pigment takes its own colour away: scenes raise contrast by that.
             real3 own = above * c.rgb * (1.0f - c.filtered - c.transmitted);
             layered.own[l] = select(here, own, layered.own[l]);
@@ -93,7 +113,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             real cos_layer = cos_in;
             if (FEATURE(FEATURE_NORMALS)) {
                 real3 n = s.normal;
-                if (layer.normal != NONE && !for_shadow) {
+                if (layer.normal != NONE && !for_shadow && any_lane(in_part)) {
                     real3 placed = point;
                     if (layer.normal_uses_uv != 0u) placed = real3(s.uv.x, s.uv.y, real(0.0f));
                     asked.position = placed;
@@ -118,6 +138,10 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             above = above * (c.rgb * c.filtered + real3(c.transmitted));
             if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u && !for_shadow)
                 above = above * max(real3(real(1.0f)) - r, black);
+            if ((layer.flags & LAYER_PARTS_END) != 0u) {
+                above = left + above;
+                in_part = here;
+            }
         }
         lobes.emission = select(here, emission, lobes.emission);
         lobes.ambient = select(here, ambient, lobes.ambient);

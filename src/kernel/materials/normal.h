@@ -118,6 +118,7 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 te
             real3 a_y = from_x * texture_y.x + from_y * texture_y.y + from_z * texture_y.z;
             real3 a_z = from_x * texture_z.x + from_y * texture_z.y + from_z * texture_z.z;
             real3 back = real3(dot(a_x, offset), dot(a_y, offset), dot(a_z, offset));
+            if (AT(code, at + 3u) == 2u) back = offset;
             if (AT(code, at + 3u) == 0u) {
                 real determinant = dot(a_x, cross(a_y, a_z));
                 real3 inside = cross(a_y, a_z) * n.x + cross(a_z, a_x) * n.y + cross(a_x, a_y) * n.z;

@@ -5,6 +5,7 @@
 #define SUNDOG_KERNEL_PATTERNS_FIELDS_H
 
 #include "kernel/math.h"
+#include "kernel/patterns/crackle.h"
 #include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
 
@@ -55,11 +56,11 @@ FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
     if (kind == FIELD_MARBLE) return p.x;
     real turns = (angle_of(p.y, p.x) * 0.159154943f + 0.25f) * parameters.x;
     real radius = sqrt(p.x * p.x + p.y * p.y);
-    if (kind == FIELD_SPIRAL1) return radius + turns;
-    // spiral2: arms that wind the other way lie over them.
-    real one = 1.0f - abs(2.0f * fraction(radius + turns) - 1.0f);
-    real other = 1.0f - abs(2.0f * fraction(radius - turns) - 1.0f);
-    return max(one, other);
+    if (kind == FIELD_SPIRAL1) return radius + turns + p.z;
+    // spiral2: rings lie over them.
+    real rings = 1.0f - abs(2.0f * fraction(radius) - 1.0f);
+    real arms = 1.0f - abs(2.0f * fraction(radius + turns + p.z) - 1.0f);
+    return rings + arms;
 }
 
 /// A field's value bent by its wave form: 0..1.

@@ -126,24 +126,6 @@ FN word cell_hash(real3 cell, uint seed) {
                         word_from_real(clamp(cell.z + 8388608.0f, real(0.0f), real(16777214.0f))) + word(seed));
 }
 
-/// Distance to the second nearest of points strewn one a cell, less the distance to the nearest (Worley, A Cellular
-/// Texture Basis Function, SIGGRAPH 1996): 0 on the borders between them.
-FN real crackle_value(real3 p) {
-    real3 home = real3(floor(p.x), floor(p.y), floor(p.z));
-    real nearest = real(1.0e9f);
-    real second = real(1.0e9f);
-    for (uint i = 0u; i < 27u; i = i + 1u) {
-        real3 cell = home + real3(vec3(float(i % 3u) - 1.0f, float(i / 3u % 3u) - 1.0f, float(i / 9u) - 1.0f));
-        word hash = cell_hash(cell, 0x17u);
-        real3 jitter = real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u)) * real(0.5f);
-        real3 offset = cell + jitter + real3(real(0.5f)) - p;
-        real distance_squared = dot(offset, offset);
-        second = min(second, max(nearest, distance_squared));
-        nearest = min(nearest, distance_squared);
-    }
-    return min(sqrt(second) - sqrt(nearest), real(1.0f));
-}
-
 /// Rings around ten places near the origin, added up: mean 0.5, standard deviation 0.12. Ripples have one wavelength,
 /// 1; waves are each of another, the longer the higher.
 FN real rings_value(real3 p, bool one_wavelength) {

@@ -113,6 +113,7 @@ FN PatternPoint free_point(real3 position) {
 struct ProgramResult {
     PigmentColor color;  ///< Colour 0.
     real3 point;         ///< Point 1.
+    real weight;         ///< What OP_WEIGHT says; 1 without it.
 };
 
 /// Runs the program at `start`.
@@ -126,6 +127,7 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
     points[1] = at.position;
     colors[0] = no_color();
     asking[0] = at.asking;
+    real weight = real(1.0f);
     uint pc = start;
     while (true) {
         uint instruction = AT(code, pc);
@@ -206,6 +208,10 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             colors[target].rgb = colors[target].rgb + entry.rgb * share;
             colors[target].filtered = colors[target].filtered + entry.filtered * share;
             colors[target].transmitted = colors[target].transmitted + entry.transmitted * share;
+        } else if (op == OP_WEIGHT) {
+            weight = colors[0].rgb.x;
+            asking[0] = mask_and(at.asking, weight > real(0.0f));
+            if (!any_lane(asking[0])) break;
         } else if (op == OP_GRAY) {
             PigmentColor c = colors[source];
             values[target] =
@@ -215,6 +221,10 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
         } else if (op == OP_HOST_FIELD) {
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
             pc = pc + 1u;
+        } else if (op == OP_CRACKLE) {
+            values[target] = crackle_form_value(points[source], code_vec3(SCENE_ pc), code_float(SCENE_ pc + 3u),
+                                                code_float(SCENE_ pc + 4u), AT(code, pc + 5u) != 0u);
+            pc = pc + 6u;
         } else if (op == OP_HOST_WARP) {
             points[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]);
             pc = pc + 1u;
@@ -232,6 +242,7 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
     ProgramResult result;
     result.color = colors[0];
     result.point = points[1];
+    result.weight = weight;
     return result;
 }
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "import/pov/build_material_map.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "import/pov/build_image.h"
+
+namespace sundog::pov {
+namespace {
+
+/// The number of each colour (0xBBGGRR) in a PNG file's palette; empty for files without one.
+std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file) {
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, 8> signature{};
+    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0)
+        return numbers;
+    std::array<unsigned char, 8> header{};
+    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
+        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
+                                   std::uint32_t{header[2]} << 8U | header[3];
+        if (std::memcmp(header.data() + 4, "PLTE", 4) == 0) {
+            std::array<unsigned char, 768> colors{};
+            if (size > colors.size() || !stream.read(reinterpret_cast<char*>(colors.data()), size)) return numbers;
+            for (std::uint32_t i = 0; i < size / 3; ++i)
+                numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
+                                    std::uint32_t{colors[3 * i + 2]} << 16U,
+                                i);
+            return numbers;
+        }
+        stream.seekg(static_cast<std::streamoff>(size) + 4, std::ios::cur);
+    }
+    return numbers;
+}
+
+/// The picture's texture with palette numbers for red, where it has a palette.
+scene::Index numbered(BuildContext& context, scene::Index index) {
+    const auto numbers = palette_of(context.scene.textures[index].name);
+    if (numbers.empty()) return index;
+    scene::Texture texture = context.scene.textures[index];
+    texture.name += " (numbers)";
+    texture.srgb = false;
+    for (std::uint32_t& texel : texture.rgba8) {
+        const auto number = numbers.find(texel & 0xffffffU);
+        texel = (number == numbers.end() ? 0 : number->second) | 0xff000000U;
+    }
+    context.scene.textures.push_back(std::move(texture));
+    return static_cast<scene::Index>(context.scene.textures.size() - 1);
+}
+
+}  // namespace
+
+MaterialMap read_material_map(BuildContext& context, const Block& block) {
+    MaterialMap result;
+    Block image = block;
+    image.items.clear();
+    ItemReader items(context, block);
+    while (!items.at_end()) {
+        if (auto texture = items.take_block(Keyword::texture)) {
+            result.textures.push_back(std::move(texture));
+        } else {
+            image.items.push_back(*items.peek());
+            items.skip();
+        }
+    }
+    if (result.textures.empty()) context.fail(block.where, "a material_map without textures", "expected texture { }");
+    auto pigment = std::make_shared<scene::Pigment>();
+    pigment->where = context.location(block.where);
+    pigment->kind = scene::Pigment::Kind::image;
+    pigment->image = read_image_map(context, image, ImageUse::data);
+    pigment->image.texture = numbered(context, pigment->image.texture);
+    result.pattern.kind = scene::Pattern::Kind::material;
+    result.pattern.choices = static_cast<int>(result.textures.size());
+    result.pattern.pigment = std::move(pigment);
+    return result;
+}
+
+}  // namespace sundog::pov

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { spiral1 3 color_map { [0 rgb <0.9, 0.2, 0.1>] [0.5 rgb <0.9, 0.9, 0.2>] [1 rgb <0.1, 0.3, 0.8>] } rotate 90*x scale 2 } }
+sphere { <-0.9, 0, 0>, 0.9 pigment { spiral2 4 color_map { [0 rgb <0.9, 0.2, 0.1>] [0.5 rgb <0.9, 0.9, 0.2>] [1 rgb <0.1, 0.3, 0.8>] } } rotate 20*z }
+box { <0.2, -0.8, -0.5>, <1.6, 0.8, 0.6> pigment { spiral1 -2 color_map { [0 rgb <0.9, 0.2, 0.1>] [0.5 rgb <0.9, 0.9, 0.2>] [1 rgb <0.1, 0.3, 0.8>] } translate <0.9, 0, 0> } }
