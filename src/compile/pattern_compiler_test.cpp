@@ -49,7 +49,7 @@ public:
         auto texture = std::make_shared<scene::LayeredTexture>();
         texture->layers.push_back({std::move(pigment), {}});
         scene::Material material;
-        material.patterned = scene::PatternedSurface{texture, {}, {}};
+        material.patterned.emplace().texture = texture;
         PatternCompiler compiler(scene_, out_);
         material_ = compiler.compile_surface(material);
         view_.code = out_.code.data();
@@ -134,7 +134,7 @@ TEST(Patterns, MeshesKeepTheCoordinatesThatPigmentsAskFor) {
     texture->layers.push_back({pigment, {}});
     scene::Scene scene;
     scene.materials.emplace_back();
-    scene.materials[0].patterned = scene::PatternedSurface{texture, {}, {}};
+    scene.materials[0].patterned.emplace().texture = texture;
     scene::Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.texcoords = {{0, 0}, {1, 0}, {0, 1}};
