@@ -24,7 +24,9 @@ void expect_consistent(const scene::Solid& shape, double reach, double flat) {
         double from = 0;
         hits.push_back({end, {}, 0, 0, 0});
         for (const Hit& hit : hits) {
-            if (hit.t - from > flat) EXPECT_EQ(inside, solid->inside(ray.at(0.5 * (from + hit.t)))) << i;
+            if (hit.t - from > flat) {
+                EXPECT_EQ(inside, solid->inside(ray.at(0.5 * (from + hit.t)))) << i;
+            }
             inside = !inside;
             from = hit.t;
         }
