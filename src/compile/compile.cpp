@@ -134,7 +134,8 @@ private:
 /// Which rays don't see an object.
 std::uint32_t hidden_from(const scene::Object& object) {
     return (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
-           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW);
+           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW) |
+           (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
 }
 
 /// Lists the geometries of the scene's objects.
@@ -250,6 +251,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         out->bounds.include(world_bounds_of(object, bounds_of(object)));
     }
     out->features = features_of(*out, attributes, list.moving());
+    if (scene.radiosity) out->radiosity = scene.radiosity->where;
 
     // Arrays bound to a kernel are never empty, and positions are read four floats at a time.
     out->positions.push_back({0, 0, 0});

@@ -123,6 +123,29 @@ void set_camera(const scene::Scene& scene, const FrameOptions& options, float ti
     }
 }
 
+/// Turns radiosity on, and ambient light off, which stands for it elsewhere.
+void set_radiosity(const scene::Radiosity& r, Frame& frame) {
+    frame.params.features |= kernel::FEATURE_RADIOSITY;
+    if (!r.keeps_ambient) frame.params.ambient = {0, 0, 0};
+    IrradianceCaching& out = frame.radiosity.emplace();
+    out.count = r.count;
+    out.recursion_limit = r.recursion_limit;
+    out.nearest_count = r.nearest_count;
+    out.error_bound = r.error_bound;
+    out.low_error_factor = r.low_error_factor;
+    out.minimum_reuse = r.minimum_reuse;
+    out.maximum_reuse = r.maximum_reuse;
+    out.pretrace_start = r.pretrace_start;
+    out.pretrace_end = r.pretrace_end;
+    out.gray_threshold = r.gray_threshold;
+    out.brightness = r.brightness;
+    out.max_sample = r.max_sample;
+    out.min_weight = r.adc_bailout;
+    out.bent_normals = r.normal;
+    out.through_media = r.media;
+    out.always_sample = r.always_sample;
+}
+
 /// What lights other than plain lamps and suns need.
 bool has_shape(const kernel::Light& light) {
     return light.kind == kernel::LIGHT_SPOT || light.kind == kernel::LIGHT_CYLINDER || light.fade_power > 0;
@@ -167,6 +190,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     if (params.fog_count > 0 || params.sky_layer_count > 0) params.features |= kernel::FEATURE_ATMOSPHERE;
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
+    if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

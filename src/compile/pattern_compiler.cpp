@@ -71,6 +71,8 @@ std::uint32_t normal_kind(scene::PatternNormal::Kind kind) {
             return kernel::NORMAL_RIPPLES;
         case Kind::waves:
             return kernel::NORMAL_WAVES;
+        case Kind::special:
+            return kernel::NORMAL_HOST;
     }
     return kernel::NORMAL_BUMPS;
 }
@@ -90,16 +92,30 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
 
 std::uint32_t PatternCompiler::program_of(const Pigment& pigment) {
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    fields::write_pigment_code(pigment, out_.code);
+    fields::write_pigment_code(pigment, out_.code, *host_);
+    publish_host();
     return start;
+}
+
+std::uint32_t PatternCompiler::point_program_of(const scene::PatternNormal& part) {
+    if (part.pattern.warps.empty()) return kernel::NONE;
+    const auto start = static_cast<std::uint32_t>(out_.code.size());
+    fields::write_point_code(part.pattern, part.where, out_.code, *host_);
+    publish_host();
+    return start;
+}
+
+void PatternCompiler::publish_host() {
+    if (host_->empty()) return;
+    if (!out_.host_fields) out_.host_fields = host_, out_.first_host_field = host_->first_where();
 }
 
 std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
     // The programs that the list names go before it.
-    std::vector<std::array<std::uint32_t, 2>> programs;
+    std::vector<std::array<std::uint32_t, 3>> programs;
     for (const scene::PatternNormal& part : normal.parts)
         programs.push_back({part.weight ? program_of(*part.weight) : kernel::NONE,
-                            part.height ? program_of(*part.height) : kernel::NONE});
+                            part.height ? program_of(*part.height) : kernel::NONE, point_program_of(part)});
     const auto start = static_cast<std::uint32_t>(out_.code.size());
     const auto put = [&](double value) {
         out_.code.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
@@ -114,18 +130,23 @@ std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
         out_.code.push_back(normal_kind(part.kind));
         put(part.amount);
         out_.code.push_back(part.keeps_depth ? 1 : 0);
-        out_.code.push_back(part.kind == Kind::dents ? static_cast<std::uint32_t>(pattern.noise_generator)
-                                                     : programs[i][1]);
+        out_.code.push_back(part.kind == Kind::dents     ? fields::noise_generator_of(pattern)
+                            : part.kind == Kind::special ? host_->add(fields::make_host_normal(pattern), part.where)
+                                                         : programs[i][1]);
         if (part.kind == Kind::pattern) put(std::max(part.accuracy, 1e-5)), put(0);
         else if (part.kind == Kind::image) put(part.texel_u), put(part.texel_v);
         else put(pattern.frequency), put(pattern.phase);
         const bool stirred = !(pattern.turbulence == Vec3d{});
         put(pattern.lambda), put(pattern.omega);
         out_.code.push_back(stirred ? static_cast<std::uint32_t>(std::clamp(pattern.octaves, 1, 10)) : 0);
-        const Affine3d& m = pattern.pattern_from_texture;
+        // Warps count for where the pattern is, not for where its normals point.
+        Affine3d m = pattern.pattern_from_texture;
+        for (auto step = pattern.warps.rbegin(); step != pattern.warps.rend(); ++step) m = m * step->warp_from_before;
         put_vector(m.x), put_vector(m.y), put_vector(m.z), put_vector(m.t);
         put_vector(pattern.turbulence);
+        out_.code.push_back(programs[i][2]);
     }
+    publish_host();
     return start;
 }
 

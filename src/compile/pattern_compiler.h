@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 
 #include "device/render_scene.h"
+#include "fields/host_fields.h"
 #include "scene/scene.h"
 
 namespace sundog {
@@ -15,7 +17,8 @@ namespace sundog {
 class PatternCompiler {
 public:
     /// Both must outlive the compiler.
-    PatternCompiler(const scene::Scene& scene, RenderScene& out) : scene_(scene), out_(out) {}
+    PatternCompiler(const scene::Scene& scene, RenderScene& out)
+        : scene_(scene), out_(out), host_(std::make_shared<fields::HostFieldTable>(scene.textures)) {}
 
     /// The kernel's material for one whose `patterned` is set. Errors: InputError for more than MAX_LAYERS layers,
     /// pigment maps nested deeper than PROGRAM_SLOTS.
@@ -32,9 +35,14 @@ private:
     };
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment);
+    /// Where a normal's pattern has warps: the program of its point; else NONE.
+    std::uint32_t point_program_of(const scene::PatternNormal& part);
+    /// Gives the table of host fields to the RenderScene, once there are any.
+    void publish_host();
 
     const scene::Scene& scene_;
     RenderScene& out_;
+    std::shared_ptr<fields::HostFieldTable> host_;
     std::map<const scene::LayeredTexture*, Layers> compiled_;
 };
 

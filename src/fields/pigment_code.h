@@ -5,11 +5,20 @@
 #include <cstdint>
 #include <vector>
 
+#include "fields/host_fields.h"
 #include "scene/pigment.h"
 
 namespace sundog::fields {
 
-/// Appends the program of a pigment. Errors: InputError for pigment maps nested deeper than PROGRAM_SLOTS.
-void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code);
+/// 1 to 3.
+std::uint32_t noise_generator_of(const scene::Pattern& pattern);
+
+/// Appends the program of a pigment; what only the host computes goes into `host`. Errors: InputError for pigment maps
+/// nested deeper than PROGRAM_SLOTS.
+void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host);
+
+/// Appends a program that makes point 1 a pattern's own point: with its warps, transforms and turbulence.
+void write_point_code(const scene::Pattern& pattern, const SourceLocation& where, std::vector<std::uint32_t>& code,
+                      HostFieldTable& host);
 
 }  // namespace sundog::fields

@@ -47,10 +47,11 @@ void include(Ranges& ranges, const scene::Pigment& pigment) {
 }  // namespace
 
 PigmentEvaluator::PigmentEvaluator(std::span<const std::shared_ptr<const scene::Pigment>> pigments,
-                                   std::span<const scene::Texture> textures) {
+                                   std::span<const scene::Texture> textures)
+    : host_(textures) {
     for (const auto& pigment : pigments) {
         starts_.push_back(static_cast<std::uint32_t>(code_.size()));
-        write_pigment_code(*pigment, code_);
+        write_pigment_code(*pigment, code_, host_);
         keep_images(*pigment, textures);
         Ranges ranges;
         ranges.fill({INFINITY, -INFINITY});
@@ -67,6 +68,7 @@ PigmentEvaluator::PigmentEvaluator(std::span<const std::shared_ptr<const scene::
 void PigmentEvaluator::keep_images(const scene::Pigment& pigment, std::span<const scene::Texture> textures) {
     for (const scene::PigmentEntry& entry : pigment.entries)
         if (entry.pigment) keep_images(*entry.pigment, textures);
+    if (pigment.pattern.pigment) keep_images(*pigment.pattern.pigment, textures);
     if (pigment.kind != scene::Pigment::Kind::image) return;
     if (infos_.size() <= pigment.image.texture) infos_.resize(pigment.image.texture + std::size_t{1});
     kernel::TextureInfo& info = infos_[pigment.image.texture];
@@ -85,6 +87,7 @@ void PigmentEvaluator::keep_images(const scene::Pigment& pigment, std::span<cons
 std::array<double, 5> PigmentEvaluator::color(std::uint32_t index, double x, double y, double z) const {
     kernel::SceneView view{};
     view.code = code_.data();
+    view.host_fields = &host_;
     view.textures = infos_.data();
     view.texels = texels_.data();
     view.srgb_to_linear = linear_of_srgb8().data();

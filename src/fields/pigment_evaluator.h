@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fields/double_math.h"
+#include "fields/host_fields.h"
 #include "kernel/shared.h"
 #include "scene/scene.h"
 
@@ -26,6 +27,7 @@ public:
 private:
     void keep_images(const scene::Pigment& pigment, std::span<const scene::Texture> textures);
 
+    HostFieldTable host_;
     std::vector<std::uint32_t> code_, starts_;
     std::vector<kernel::TextureInfo> infos_;
     std::vector<std::uint32_t> texels_;

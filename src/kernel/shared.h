@@ -27,7 +27,8 @@ KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
 KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
 KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
-KERNEL_CONST uint RAY_ALL = 7u;
+KERNEL_CONST uint RAY_RADIOSITY = 8u;  ///< From a point whose irradiance is gathered.
+KERNEL_CONST uint RAY_ALL = 255u;
 
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
@@ -82,14 +83,20 @@ KERNEL_CONST uint OP_MAP = 5u;     ///< colour[target] = map at value[source]: c
 KERNEL_CONST uint OP_CHOICE = 6u;  ///< value[target] = which of a list is at point[source]: CHOICE_* and 4 floats.
 KERNEL_CONST uint OP_PICK = 7u;    ///< colour[target] = entry number value[source]: count, then 5 floats each.
 KERNEL_CONST uint OP_CLEAR = 8u;   ///< colour[target] = 0.
-KERNEL_CONST uint OP_BLEND_MAP = 9u;  ///< colour[target] += colour[source] by its share at value[source2] in a map:
-                                      ///< positions of the entry before, this one, and the one after.
-KERNEL_CONST uint OP_BLEND_PICK =
-    10u;  ///< colour[target] += colour[source] where value[source2] is the number (1 float).
-KERNEL_CONST uint OP_TURBULENCE =
-    12u;  ///< point[target] = point[source] stirred: 3 floats of amounts, octaves, lambda, omega.
+/// Begin an entry of a list: share[target] of it at value[target]; the entry's own slot is target + 1. Where no lane
+/// has a share, the last operand's number of words is skipped: to behind the entry's OP_BLEND.
+KERNEL_CONST uint OP_ENTER_MAP = 9u;    ///< A map's: positions of the entry before, this one, and the one after; skip.
+KERNEL_CONST uint OP_ENTER_PICK = 10u;  ///< A choice's: its number; skip.
 KERNEL_CONST uint OP_IMAGE =
     11u;  ///< colour[target] = picture at point[source]: texture, flags, map type, filter, transmit.
+KERNEL_CONST uint OP_TURBULENCE =
+    12u;  ///< point[target] = point[source] stirred: 3 floats of amounts, octaves, lambda, omega.
+KERNEL_CONST uint OP_ENTER_SHARE = 13u;  ///< An average's: its share, the same everywhere; 0.
+KERNEL_CONST uint OP_BLEND = 14u;        ///< Ends an entry: colour[target] += share[target] * colour[target + 1].
+KERNEL_CONST uint OP_GRAY = 15u;         ///< value[target] = grey of colour[source]; its alpha if the operand is 1.
+// By the host alone (see HostFields): its number is the operand, source2 the slot whose lanes ask.
+KERNEL_CONST uint OP_HOST_FIELD = 16u;  ///< value[target] = host's field at point[source].
+KERNEL_CONST uint OP_HOST_WARP = 17u;   ///< point[target] = host's warp of point[source].
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;
@@ -125,8 +132,9 @@ KERNEL_CONST uint CHOICE_CUBIC = 5u;
 
 /// Lists of normals in `code`: their count, then NORMAL_WORDS each: weight program (NONE: 1), NORMAL_* kind, amount, 1
 /// if scaling leaves depths alone (no_bump_scale), a program or number of the kind's, two floats of the kind's,
-/// turbulence's lambda, omega and octaves (0: none), pattern_from_texture (columns x, y, z, t), turbulence's amounts.
-KERNEL_CONST uint NORMAL_WORDS = 25u;
+/// turbulence's lambda, omega and octaves (0: none), pattern_from_texture (columns x, y, z, t), turbulence's amounts, a
+/// program that makes point 1 the pattern's point (with warps; NONE: what precedes says where it is).
+KERNEL_CONST uint NORMAL_WORDS = 26u;
 KERNEL_CONST uint NORMAL_PATTERN = 0u;  ///< Height program; step of differences.
 KERNEL_CONST uint NORMAL_IMAGE = 1u;    ///< Height program; a texel's width and height.
 KERNEL_CONST uint NORMAL_BUMPS = 2u;
@@ -134,6 +142,7 @@ KERNEL_CONST uint NORMAL_DENTS = 3u;  ///< Noise generator.
 KERNEL_CONST uint NORMAL_WRINKLES = 4u;
 KERNEL_CONST uint NORMAL_RIPPLES = 5u;  ///< Frequency, phase.
 KERNEL_CONST uint NORMAL_WAVES = 6u;    ///< Frequency, phase.
+KERNEL_CONST uint NORMAL_HOST = 7u;     ///< What the host says is added: its number.
 
 /// Wave forms of OP_WAVE.
 KERNEL_CONST uint WAVE_RAMP = 0u;
@@ -173,6 +182,8 @@ KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog or a sky sphere.
 KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
 KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
+
+KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.

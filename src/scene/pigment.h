@@ -9,80 +9,13 @@
 
 #include "base/diagnostics.h"
 #include "base/vec3d.h"
+#include "scene/pattern.h"
 
 namespace sundog::scene {
 
 /// Linear RGB with what passes through: `filter` tinted by the colour, `transmit` untinted.
 struct PigmentColor {
     float r = 0, g = 0, b = 0, filter = 0, transmit = 0;
-};
-
-/// A scalar field over space, 0..1 after its wave form, or a choice among a few (checker, brick, hexagon, …).
-struct Pattern {
-    enum class Kind : std::uint8_t {
-        // Choices among a list of entries
-        checker,     ///< 2
-        brick,       ///< 2: mortar, brick
-        hexagon,     ///< 3
-        square,      ///< 4
-        triangular,  ///< 6
-        cubic,       ///< 6
-        object,      ///< 2: outside, inside of a solid
-        // Fields
-        gradient,  ///< Along `axis`.
-        // Fields that need what the second POV issue brings are kept by number too
-        agate,
-        aoi,
-        average,
-        boxed,
-        bozo,
-        bumps,
-        cells,
-        crackle,
-        cylindrical,
-        density_file,
-        dents,
-        facets,
-        fractal,
-        function,
-        granite,
-        image,
-        leopard,
-        marble,
-        onion,
-        pavement,
-        pigment,
-        planar,
-        quilted,
-        radial,
-        ripples,
-        slope,
-        spherical,
-        spiral1,
-        spiral2,
-        spotted,
-        tiling,
-        waves,
-        wood,
-        wrinkles,
-    };
-    enum class Wave : std::uint8_t { standard, ramp, triangle, sine, scallop, cubic, poly };
-
-    Kind kind = Kind::gradient;
-    Vec3d axis{1, 0, 0};  ///< gradient
-    Vec3d brick_size{8, 3, 4.5};
-    double mortar = 0.5;
-    int arms = 1;                ///< spiral1, spiral2
-    Wave wave = Wave::standard;  ///< `standard` is the pattern's own default.
-    double exponent = 1;         ///< poly_wave
-    double frequency = 1, phase = 0;
-    Affine3d pattern_from_texture;  ///< Inverse of all transforms between this pattern and the texture it is part of.
-    Vec3d turbulence;               ///< 0: none.
-    double agate_turbulence = 1;    ///< agate_turb
-    int noise_generator = 2;        ///< 1 to 3
-    int octaves = 6;
-    double lambda = 2, omega = 0.5;
-    std::vector<std::uint32_t> images;  ///< image: index into Scene::textures.
 };
 
 struct Pigment;
@@ -94,7 +27,6 @@ struct ImageMap {
     bool once = false;          ///< Clear outside the unit square.
     bool smooth = false;        ///< Bilinear; else the texel that the point lies in.
     float filter_all = 0, transmit_all = 0;
-    Affine3d pattern_from_texture;
 };
 
 /// Where a pigment stands in a map, or what the n-th choice of a list pattern is.
@@ -109,8 +41,9 @@ struct Pigment {
     enum class Kind : std::uint8_t { solid, mapped, choice, image };
     SourceLocation where;
     Kind kind = Kind::solid;
-    PigmentColor color;                 ///< solid
-    Pattern pattern;                    ///< mapped (a field through `entries`), choice (picks one of `entries`)
+    PigmentColor color;  ///< solid
+    /// mapped (a field through `entries`), choice (picks one of `entries`), image (where it lies)
+    Pattern pattern;
     std::vector<PigmentEntry> entries;  ///< Ascending `at` when mapped.
     ImageMap image;
     bool uv_mapping = false;
@@ -119,9 +52,11 @@ struct Pigment {
 
 /// How a pattern bends a surface's normal (section 3.4.6.2 "Normal"), or a share of such a normal.
 struct PatternNormal {
-    enum class Kind : std::uint8_t { pattern, image, bumps, dents, wrinkles, ripples, waves };
+    enum class Kind : std::uint8_t { pattern, image, bumps, dents, wrinkles, ripples, waves, special };
+    SourceLocation where;
     Kind kind = Kind::bumps;
-    Pattern pattern;  ///< Where it lies, its turbulence; frequency and phase of ripples and waves.
+    Pattern pattern;  ///< Where it lies, its turbulence; frequency and phase of ripples and waves; special: the
+                      ///< pattern, quilted or facets.
     std::shared_ptr<const Pigment> height;  ///< pattern, image: its grey, asked at the pattern's own point.
     double texel_u = 0, texel_v = 0;        ///< image: a texel's size.
     float amount = 0.5F;

@@ -209,6 +209,7 @@ struct Object {
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
     bool double_illuminate = false;   ///< Lit from behind too.
+    bool seen_by_radiosity = true;    ///< no_radiosity
 };
 
 /// Settings that a scene file may fix and the command line may overrule.
@@ -244,6 +245,21 @@ struct SkySphere {
     PigmentColor emission{1, 1, 1, 0, 0};
 };
 
+/// Light that surfaces send each other (POV-Ray's reference, section 3.4.4.3 "Radiosity", whose names and defaults
+/// these are).
+struct Radiosity {
+    SourceLocation where;
+    int count = 35;
+    int recursion_limit = 2;
+    int nearest_count = 5;
+    float error_bound = 1.8F, low_error_factor = 0.5F;
+    float minimum_reuse = 0.015F, maximum_reuse = 0.2F;
+    float pretrace_start = 0.08F, pretrace_end = 0.04F;
+    float gray_threshold = 0, brightness = 1, max_sample = 0, adc_bailout = 0.01F;
+    bool normal = false, media = false, always_sample = false;
+    bool keeps_ambient = false;  ///< Scenes from before version 3.7: `ambient` counts all the same.
+};
+
 /// A whole scene. Value type; importers make it, compile/ reads it.
 struct Scene {
     std::string name;
@@ -259,6 +275,7 @@ struct Scene {
     float sky_alpha = 1;             ///< Opacity of the sky in pictures that have alpha.
     std::vector<Fog> fogs;
     std::vector<SkySphere> sky_spheres;
+    std::optional<Radiosity> radiosity;
     Settings settings;
 };
 

@@ -28,6 +28,7 @@ SceneView view_of(const RenderScene& scene, const Frame& frame) {
     view.lights = frame.lights.data();
     view.instances = frame.instances.data();
     view.traversal = nullptr;
+    view.host_fields = scene.host_fields.get();
     return view;
 }
 

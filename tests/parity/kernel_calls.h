@@ -289,7 +289,7 @@ FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
         put(r, 0u, layer_reflectance(layer, 1.5f, abs(p), abs(a.v[3]), a.v[4] > real(0.0f)));
         put(r, 3u, metallic_tint(abs(p), real(0.75f), abs(a.v[3])));
     }
-    if (function == CALL_NORMAL) put(r, 0u, normal_offset(SCENE_ kind, p, 2u, u.v[13], u.v[14]));
+    if (function == CALL_NORMAL) put(r, 0u, normal_offset(SCENE_ kind, free_point(p), 2u, u.v[13], u.v[14]));
     if (function == CALL_PROJECTION) {
         FrameParams frame_params;
         frame_params.camera.eye = vector_of(u, 0u);

@@ -254,6 +254,7 @@ private:
         // Reference 3.2.8.3
         if (settings_.quality < 4) options.shadows = false;
         if (settings_.quality < 8) options.max_depth = 0;
+        options.radiosity = settings_.quality >= 9;
         return options;
     }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "device/cpu/embree.h"
+#include "device/cpu/ray_batch.h"
 #include "kernel/rays.h"
 #include "kernel/shapes/all_planes.h"
 
@@ -95,18 +96,10 @@ namespace {
 
 using namespace kernel;
 
-SceneView view_of(const TileWork& work) {
-    SceneView view;
-    view.frame = work.frame.params;
-#define KERNEL_ARRAYS_SCENE_ONLY
-#define KERNEL_ARRAY(type, name, binding) view.name = work.scene.name.data();
-#include "kernel/arrays.h"
-#undef KERNEL_ARRAY
-#undef KERNEL_ARRAYS_SCENE_ONLY
-    view.lights = work.frame.lights.data();
-    view.instances = work.frame.instances.data();
-    view.traversal = work.traversal;
-    return view;
+/// One copy of the integrator for pixels and for rays that gather light.
+[[gnu::noinline]] real3 radiance_along(const SceneView& scene, const Ray& ray, mask alive, RayCounts& counts,
+                                       FirstHit& first) {
+    return whitted_radiance(scene, ray, alive, counts, first);
 }
 
 /// Pixel coordinates of a block's lanes, row by row.
@@ -135,6 +128,11 @@ struct BlockResult {
 /// A block's sums in memory, lane by lane: picking lanes out of registers one at a time is slow.
 struct StoredLanes {
     alignas(64) std::array<float, kLanes> r{}, g{}, b{};
+};
+
+/// A packet of rays in memory, likewise.
+struct StoredRays {
+    alignas(64) std::array<float, kLanes> origin_x{}, origin_y{}, origin_z{}, x{}, y{}, z{}, t_max{};
 };
 
 /// Calls visit(lane, place in the film) for those pixels of the block at (x0, y0) that the work may write.
@@ -174,8 +172,9 @@ real3 sums_so_far(int x0, int y0, const TileWork& work) {
 
 /// Bends rays by the camera's normals, which lie in the picture: x and y from -0.5 to 0.5.
 [[gnu::noinline]] void bend_rays(const SceneView& view, std::uint32_t normals, real x, real y, Ray& ray) {
-    ray.direction = perturbed_normal(view, normals, real3(x - 0.5F, 0.5F - y, real(0.0F)), vec3(1, 0, 0), vec3(0, 1, 0),
-                                     vec3(0, 0, 1), ray.direction);
+    PatternPoint at = free_point(real3(x - 0.5F, 0.5F - y, real(0.0F)));
+    at.normal = ray.direction;
+    ray.direction = perturbed_normal(view, normals, at, vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
 }
 
 /// The rays of CameraRays for the lanes of `asked`, and in which of them there is one.
@@ -231,7 +230,7 @@ mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPi
         }
         if (frame.camera_normal != NONE) bend_rays(view, frame.camera_normal, x, y, ray);
         FirstHit hit;
-        const real3 radiance = whitted_radiance(view, ray, shown, counts, hit);
+        const real3 radiance = radiance_along(view, ray, shown, counts, hit);
         if (k == 0) first = hit;
         if (camera == nullptr) return radiance;
         sum = select(shown, sum + radiance, sum);
@@ -297,7 +296,8 @@ void store_block(int x0, int y0, const BlockResult& block, const TileWork& work)
 }  // namespace
 
 TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
-    const SceneView view = view_of(work);
+    SceneView view = view_of(work.scene, work.frame, work.traversal);
+    view.indirect = work.indirect;
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);
     RayCounts counts{word(0U), word(0U)};
@@ -320,5 +320,39 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     }
     return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
 }
+
+#ifdef SUNDOG_RAY_KERNEL
+BatchRays SUNDOG_RAY_KERNEL(const SceneView& scene, std::span<const BatchRay> rays, std::span<BatchAnswer> answers) {
+    RayCounts counts{word(0U), word(0U)};
+    constexpr auto kPacket = static_cast<std::size_t>(kLanes);
+    for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
+        const std::size_t size = std::min(kPacket, rays.size() - begin);
+        StoredRays in;
+        for (std::size_t lane = 0; lane < kPacket; ++lane) {
+            const BatchRay& ray = rays[begin + std::min(lane, size - 1)];
+            in.origin_x[lane] = ray.origin.x, in.origin_y[lane] = ray.origin.y, in.origin_z[lane] = ray.origin.z;
+            in.x[lane] = ray.direction.x, in.y[lane] = ray.direction.y, in.z[lane] = ray.direction.z;
+            in.t_max[lane] = lane < size ? ray.t_max : -1.0F;
+        }
+        Ray ray;
+        ray.origin = real3(real(lanes_of(in.origin_x.data())), real(lanes_of(in.origin_y.data())),
+                           real(lanes_of(in.origin_z.data())));
+        ray.direction = real3(real(lanes_of(in.x.data())), real(lanes_of(in.y.data())), real(lanes_of(in.z.data())));
+        ray.t_min = real(0.0F);
+        ray.t_max = real(lanes_of(in.t_max.data()));
+        FirstHit first;
+        const real3 radiance = radiance_along(scene, ray, ray.t_max > ray.t_min, counts, first);
+        StoredLanes out;
+        alignas(64) std::array<float, kLanes> distance{};
+        lanes_of(out.r.data()) = radiance.x.v;
+        lanes_of(out.g.data()) = radiance.y.v;
+        lanes_of(out.b.data()) = radiance.z.v;
+        lanes_of(distance.data()) = first.t.v;
+        for (std::size_t lane = 0; lane < size; ++lane)
+            answers[begin + lane] = {{out.r[lane], out.g[lane], out.b[lane]}, distance[lane]};
+    }
+    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+}
+#endif
 
 }  // namespace sundog::cpu

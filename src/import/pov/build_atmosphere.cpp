@@ -5,6 +5,7 @@
 #include <array>
 
 #include "import/pov/build_pigment.h"
+#include "import/pov/build_radiosity.h"
 #include "import/pov/build_transform.h"
 
 namespace sundog::pov {
@@ -72,9 +73,8 @@ scene::SkySphere sky_sphere_of(BuildContext& context, const Block& block) {
 }
 
 /// Settings of what isn't drawn yet, or makes no difference to how Sundog computes.
-constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves,
-                                           Keyword::noise_generator,   Keyword::mm_per_unit,
-                                           Keyword::irid_wavelength,   Keyword::hf_gray_16};
+constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves, Keyword::mm_per_unit,
+                                           Keyword::irid_wavelength, Keyword::hf_gray_16};
 
 }  // namespace
 
@@ -110,8 +110,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
     ItemReader items(context, block);
     scene::Scene& scene = context.scene;
     while (!items.at_end()) {
-        if (items.take_block(Keyword::radiosity)) {
-            context.warn_once("radiosity", items.taken_where(), "radiosity isn't drawn yet");
+        if (const auto radiosity = items.take_block(Keyword::radiosity)) {
+            scene.radiosity = read_radiosity(context, *radiosity, scene.radiosity.value_or(scene::Radiosity{}));
         } else if (items.take_block(Keyword::photons)) {
             context.warn_once("photons", items.taken_where(), "photons aren't drawn yet");
         } else if (items.take_block(Keyword::subsurface)) {
@@ -126,6 +126,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
             scene.settings.max_depth = items.integer("a level", 1, 256);
         } else if (items.take(Keyword::ambient_light)) {
             scene.ambient = rgb_of(items.color("a color"));
+        } else if (items.take(Keyword::noise_generator)) {
+            context.noise_generator = items.integer("a noise generator", 1, 3);
         } else if (items.take(Keyword::charset)) {
             if (!items.take(Keyword::ascii) && !items.take(Keyword::utf8) && !items.take(Keyword::sys))
                 items.unexpected("ascii, utf8 or sys");

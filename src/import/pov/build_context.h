@@ -3,6 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +15,7 @@
 #include "import/pov/entity.h"
 #include "import/pov/interpreter.h"
 #include "import/pov/pov_options.h"
+#include "scene/pattern.h"
 #include "scene/scene.h"
 
 namespace sundog::pov {
@@ -36,6 +40,11 @@ public:
     const PovOptions& options;
     const FileFinder& files;
     ColorSpace color_space;
+    int noise_generator = 2;  ///< global_settings' noise_generator: of patterns that name none.
+    /// Density files by their names.
+    std::map<std::string, std::shared_ptr<const scene::DensityGrid>> densities;
+    /// Makes the test of an object pattern; null for objects without inside.
+    std::function<std::shared_ptr<const scene::InsideTest>(const std::shared_ptr<const Block>&)> inside_test;
 
     [[nodiscard]] SourceLocation location(Place place) const;
     /// A file that the scene names at a place; empty if there is none or it may not be read.

@@ -31,7 +31,9 @@ std::shared_ptr<const scene::Pigment> BlockPigments::pigment_of_pattern(const st
         const auto value = static_cast<float>(i);
         pigment.entries.push_back({value, {value, value, value, 0, 0}, nullptr});
     }
-    move_pigment(pigment, inverse(parts.texture_from_pattern));
+    place(
+        parts, [&](const Affine3d& old_from_new) { move_pigment(pigment, old_from_new); },
+        [&](const scene::Warp& warp) { bend_pigment(pigment, warp); });
     return known = std::make_shared<const scene::Pigment>(std::move(pigment));
 }
 

@@ -66,7 +66,7 @@ struct Node {
     std::vector<Clip> clipped_by, bounded_by;
     bool inverted = false;
     bool hollow = false;
-    bool no_shadow = false, no_image = false, no_reflection = false;
+    bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
     bool double_illuminate = false;
     bool cutaway_textures = false;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "import/pov/build_image.h"
 #include "import/pov/build_pigment.h"
@@ -34,6 +35,9 @@ std::optional<PatternNormal::Kind> special_kind(scene::Pattern::Kind kind) {
             return PatternNormal::Kind::ripples;
         case scene::Pattern::Kind::waves:
             return PatternNormal::Kind::waves;
+        case scene::Pattern::Kind::quilted:
+        case scene::Pattern::Kind::facets:
+            return PatternNormal::Kind::special;
         default:
             return std::nullopt;
     }
@@ -72,6 +76,7 @@ std::shared_ptr<const Pigment> height_of(const scene::Pattern& pattern, PigmentE
     pigment->where = std::move(where);
     pigment->pattern = pattern;
     pigment->pattern.pattern_from_texture = {};
+    pigment->pattern.warps.clear();
     pigment->pattern.turbulence = {};
     pigment->entries = std::move(heights);
     const std::size_t choices = choice_count(pattern.kind);
@@ -93,11 +98,9 @@ std::shared_ptr<const Pigment> scaled(const std::shared_ptr<const Pigment>& weig
         pigment->color = gray(share);
         return pigment;
     }
-    // A field without frequency is its phase.
     pigment->kind = Pigment::Kind::mapped;
-    pigment->pattern.frequency = 0;
-    pigment->pattern.phase = std::clamp(share, 0.0, 0.999999);
-    pigment->entries = {{0, gray(0), nullptr}, {1, {}, weight}};
+    pigment->pattern.kind = scene::Pattern::Kind::average;
+    pigment->entries = {{static_cast<float>(1 - share), gray(0), nullptr}, {static_cast<float>(share), {}, weight}};
     return pigment;
 }
 
@@ -126,7 +129,9 @@ public:
             result.parts.push_back(pattern_part());
         }
         result.uv_mapping |= uv_mapping_;
-        move_normal(result, inverse(parts_.texture_from_pattern));
+        place(
+            parts_, [&](const Affine3d& old_from_new) { move_normal(result, old_from_new); },
+            [&](const scene::Warp& warp) { bend_normal(result, warp); });
         return std::make_shared<const Normal>(std::move(result));
     }
 
@@ -173,14 +178,23 @@ private:
         if (parts_.given) {
             entries_.clear(), slopes_.clear(), image_.reset();
             if (const auto amount = items.maybe_number()) amount_ = static_cast<float>(*amount);
-            const std::size_t count = choice_count(parts_.pattern.kind);
-            while (entries_.size() < count) {
-                const auto block = items.take_block(Keyword::normal);
-                if (!block) break;
-                entries_.push_back({0, read_normal(context_, *block, nullptr)});
+            if (const auto list = std::exchange(parts_.list, nullptr)) {
+                ItemReader inside(context_, *list);
+                read_choices(inside);
+            } else {
+                read_choices(items);
             }
         }
         parts_.given |= given;
+    }
+
+    void read_choices(ItemReader& items) {
+        const std::size_t count = choice_count(parts_.pattern.kind);
+        while (entries_.size() < count) {
+            const auto block = items.take_block(Keyword::normal);
+            if (!block) break;
+            entries_.push_back({0, read_normal(context_, *block, nullptr)});
+        }
     }
 
     void read_bump_map(const Block& block) {
@@ -232,6 +246,7 @@ private:
 
     [[nodiscard]] PatternNormal part() const {
         PatternNormal part;
+        part.where = context_.location(block_.where);
         part.pattern = parts_.pattern;
         part.amount = amount_.value_or(0.5F);
         part.accuracy = accuracy_;
@@ -277,11 +292,21 @@ private:
 void move_normal(Normal& normal, const Affine3d& old_from_new) {
     if (old_from_new == Affine3d{}) return;
     for (PatternNormal& part : normal.parts) {
-        part.pattern.pattern_from_texture = part.pattern.pattern_from_texture * old_from_new;
+        part.pattern.move(old_from_new);
         if (!part.weight) continue;
         auto moved = std::make_shared<Pigment>(*part.weight);
         move_pigment(*moved, old_from_new);
         part.weight = std::move(moved);
+    }
+}
+
+void bend_normal(Normal& normal, const scene::Warp& warp) {
+    for (PatternNormal& part : normal.parts) {
+        part.pattern.bend(warp);
+        if (!part.weight) continue;
+        auto bent = std::make_shared<Pigment>(*part.weight);
+        bend_pigment(*bent, warp);
+        part.weight = std::move(bent);
     }
 }
 

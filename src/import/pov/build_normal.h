@@ -21,6 +21,8 @@ struct NormalEntry {
 
 /// Moves all parts of a normal: each is looked up through `old_from_new` first.
 void move_normal(scene::Normal& normal, const Affine3d& old_from_new);
+/// Bends where a normal lies.
+void bend_normal(scene::Normal& normal, const scene::Warp& warp);
 
 /// The normals of a map, each weighted by its share of `pattern`. Null if none of them bends anything.
 NormalPointer blend_normals(const scene::Pattern& pattern, std::vector<NormalEntry> entries);

@@ -225,6 +225,8 @@ private:
                 uv_mapping_ = take_flag();
                 return true;
             case Keyword::no_radiosity:
+                node_.no_radiosity = take_flag();
+                return true;
             case Keyword::split_union:
             case Keyword::sturm:
             case Keyword::hierarchy:

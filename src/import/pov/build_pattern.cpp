@@ -4,7 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/build_density.h"
+#include "import/pov/build_function.h"
+#include "import/pov/build_image.h"
+#include "import/pov/build_pigment.h"
 #include "import/pov/build_transform.h"
+#include "import/pov/build_warp.h"
+#include "import/pov/function_lowering.h"
 
 namespace sundog::pov {
 namespace {
@@ -61,34 +67,41 @@ constexpr std::array kKinds{
     NamedKind{Keyword::wrinkles, Kind::wrinkles},
 };
 
-bool is_drawn(Kind kind) {
-    switch (kind) {
-        case Kind::object:
-        case Kind::aoi:
-        case Kind::average:
-        case Kind::density_file:
-        case Kind::facets:
-        case Kind::fractal:
-        case Kind::function:
-        case Kind::image:
-        case Kind::pavement:
-        case Kind::pigment:
-        case Kind::quilted:
-        case Kind::slope:
-        case Kind::tiling:
-            return false;
-        default:
-            return true;
+bool is_drawn(Kind kind) { return kind != Kind::pavement && kind != Kind::tiling && kind != Kind::facets; }
+
+/// slope <direction>, low, high [altitude <direction>, low, high], or with point_at; within a block or not.
+void read_slope(ItemReader& items, scene::SlopeForm& slope) {
+    slope = {};
+    slope.toward_point = items.take(Keyword::point_at);
+    slope.direction = items.vector("the direction of a slope");
+    const auto range = [&](double& low, double& high) {
+        if (const auto first = items.maybe_number()) {
+            low = *first;
+            high = items.number("the end of a range");
+        }
+    };
+    range(slope.low, slope.high);
+    if (items.take(Keyword::altitude)) {
+        slope.altitude = items.vector("the direction of an altitude");
+        range(slope.low_altitude, slope.high_altitude);
     }
 }
 
-void skip_values(ItemReader& items) {
-    while (items.value_follows()) items.skip();
-}
+std::array<double, 2> complex_number(ItemReader& items) { return items.vector2("a complex number"); }
 
-/// slope <direction> or slope { <direction> … }; what its parameters are doesn't matter until it is drawn.
-void skip_block_or_values(ItemReader& items, Keyword keyword) {
-    if (!items.take_block(keyword)) skip_values(items);
+void read_fractal(ItemReader& items, Keyword keyword, scene::FractalForm& fractal) {
+    using Formula = scene::FractalForm::Formula;
+    fractal = {};
+    Keyword kind = keyword;
+    if (keyword == Keyword::magnet) {
+        fractal.formula =
+            items.integer("the type of a magnet, 1 or 2", 1, 2) == 1 ? Formula::magnet1 : Formula::magnet2;
+        if (items.take(Keyword::julia)) kind = Keyword::julia;
+        else if (!items.take(Keyword::mandel)) items.unexpected("mandel or julia");
+    }
+    fractal.julia = kind == Keyword::julia;
+    if (fractal.julia) fractal.c = complex_number(items);
+    fractal.iterations = items.integer("a number of iterations", 1, 1'000'000);
 }
 
 void read_parameters(ItemReader& items, Keyword keyword, scene::Pattern& pattern) {
@@ -106,54 +119,84 @@ void read_parameters(ItemReader& items, Keyword keyword, scene::Pattern& pattern
             return;
         case Keyword::julia:
         case Keyword::mandel:
-        case Keyword::tiling:
-            skip_values(items);
-            return;
         case Keyword::magnet:
-            skip_values(items);
-            if (items.take(Keyword::mandel) || items.take(Keyword::julia)) skip_values(items);
+            read_fractal(items, keyword, pattern.fractal);
+            return;
+        case Keyword::tiling:
+            pattern.tiling = items.integer("the number of a tiling", 1, 27);
             return;
         case Keyword::density_file:
             items.take(Keyword::df3);
-            items.text("the name of a density file");
-            if (items.take(Keyword::interpolate)) items.number("the kind of interpolation");
+            pattern.density = read_density_file(items);
             return;
         case Keyword::slope:
-        case Keyword::aoi:
-            skip_block_or_values(items, keyword);
-            return;
-        case Keyword::function:
-            items.take_function();
+            read_slope(items, pattern.slope);
             return;
         default:
             return;
     }
 }
 
-void warn_of_kind(ItemReader& items, Keyword keyword, Kind kind) {
-    if (is_drawn(kind) || (kind == Kind::average && items.keyword() == Keyword::normal)) return;
+void set_kind(ItemReader& items, PatternParts& parts, Keyword keyword, Kind kind) {
+    parts.pattern.kind = kind;
+    parts.given = true;
+    if (parts.pattern.noise_generator == 0) parts.pattern.noise_generator = items.context().noise_generator;
+    if (is_drawn(kind)) return;
     const std::string name(spelling(keyword));
     items.context().warn_once("pattern " + name, items.taken_where(), "pattern '" + name + "' isn't drawn yet",
                               "its surfaces get one colour of its map");
 }
 
-void set_kind(ItemReader& items, PatternParts& parts, Keyword keyword, Kind kind) {
-    parts.pattern.kind = kind;
-    parts.given = true;
-    warn_of_kind(items, keyword, kind);
+/// A pattern that is a block: image_pattern { }, pigment_pattern { }, object { }, slope { }, aoi { }.
+bool read_kind_block(ItemReader& items, PatternParts& parts) {
+    BuildContext& context = items.context();
+    if (const auto image = items.take_block(Keyword::image_pattern)) {
+        auto pigment = std::make_shared<scene::Pigment>();
+        pigment->where = context.location(image->where);
+        pigment->kind = scene::Pigment::Kind::image;
+        pigment->image = read_image_map(context, *image, ImageUse::data);
+        parts.pattern.uses_alpha = std::any_of(image->items.begin(), image->items.end(), [](const Item& item) {
+            const auto* const word = std::get_if<Keyword>(&item.content);
+            return word != nullptr && *word == Keyword::use_alpha;
+        });
+        parts.pattern.pigment = std::move(pigment);
+        set_kind(items, parts, Keyword::image_pattern, Kind::image);
+    } else if (const auto pigment = items.take_block(Keyword::pigment_pattern)) {
+        parts.pattern.pigment = std::make_shared<const scene::Pigment>(read_pigment(context, *pigment, {}));
+        parts.pattern.uses_alpha = false;
+        set_kind(items, parts, Keyword::pigment_pattern, Kind::pigment);
+    } else if (const auto slope = items.take_block(Keyword::slope)) {
+        ItemReader inside(context, *slope);
+        read_slope(inside, parts.pattern.slope);
+        if (!inside.at_end()) inside.unexpected("'}'");
+        set_kind(items, parts, Keyword::slope, Kind::slope);
+    } else if (const auto object = items.take_block(Keyword::object)) {
+        ItemReader inside(context, *object);
+        const auto solid = inside.take_block();
+        if (!solid) inside.unexpected("an object");
+        parts.pattern.inside_of = context.inside_test ? context.inside_test(solid) : nullptr;
+        auto list = std::make_shared<Block>(*object);
+        list->items.erase(list->items.begin());
+        parts.list = std::move(list);
+        set_kind(items, parts, Keyword::object, Kind::object);
+    } else if (items.take_block(Keyword::aoi)) {
+        set_kind(items, parts, Keyword::aoi, Kind::aoi);
+    } else {
+        return false;
+    }
+    return true;
 }
 
 bool read_kind(ItemReader& items, PatternParts& parts) {
-    for (const Keyword keyword : {Keyword::image_pattern, Keyword::pigment_pattern, Keyword::slope, Keyword::aoi}) {
-        if (!items.take_block(keyword)) continue;
-        const Kind kind = keyword == Keyword::image_pattern     ? Kind::image
-                          : keyword == Keyword::pigment_pattern ? Kind::pigment
-                          : keyword == Keyword::slope           ? Kind::slope
-                                                                : Kind::aoi;
-        set_kind(items, parts, keyword, kind);
-        return true;
-    }
-    if (items.take_function()) {
+    if (read_kind_block(items, parts)) return true;
+    if (const auto function = items.take_function()) {
+        if (const FunctionExpression* unknown = unknown_internal_function(*function)) {
+            items.warn("a pattern of internal(" + std::to_string(unknown->internal_number) +
+                       "), a function that Sundog doesn't have; it is 0 everywhere");
+            parts.pattern.function = nullptr;
+        } else {
+            parts.pattern.function = read_functions(items.context(), std::array{function}, 3);
+        }
         set_kind(items, parts, Keyword::function, Kind::function);
         return true;
     }
@@ -161,7 +204,7 @@ bool read_kind(ItemReader& items, PatternParts& parts) {
     if (!keyword) return false;
     const auto* const found =
         std::find_if(kKinds.begin(), kKinds.end(), [&](const NamedKind& named) { return named.keyword == *keyword; });
-    if (found == kKinds.end()) return false;
+    if (found == kKinds.end() || found->kind == Kind::function) return false;
     items.skip();
     set_kind(items, parts, *keyword, found->kind);
     read_parameters(items, *keyword, parts.pattern);
@@ -187,39 +230,48 @@ std::optional<Wave> wave_of(Keyword keyword) {
     }
 }
 
-/// Parameters of patterns that aren't drawn yet, and of how they are computed.
-bool skip_modifier(ItemReader& items, Keyword keyword) {
+/// Parameters of single patterns, wherever they stand among the modifiers.
+bool read_own_modifier(ItemReader& items, Keyword keyword, scene::Pattern& pattern) {
+    const auto taken = [&](auto read) {
+        items.skip();
+        read();
+        return true;
+    };
+    const auto coloring = [&](int& type, double& factor) {
+        type = items.integer("how a fractal is coloured", 0, 8);
+        if (const auto number = items.maybe_number()) factor = *number;
+    };
     switch (keyword) {
         case Keyword::control0:
+            return taken([&] { pattern.control0 = items.number("a control value"); });
         case Keyword::control1:
+            return taken([&] { pattern.control1 = items.number("a control value"); });
         case Keyword::coords:
-        case Keyword::exponent:
-        case Keyword::form:
-        case Keyword::metric:
-        case Keyword::offset:
+            return taken([&] { pattern.facet_coords = items.number("a size of facets"), pattern.facet_size = 0; });
         case Keyword::size:
-        case Keyword::strength:
-        case Keyword::interpolate:
-        case Keyword::interior:
-        case Keyword::exterior:
-            items.skip();
-            skip_values(items);
-            return true;
+            return taken([&] { pattern.facet_size = items.number("a size of facets"), pattern.facet_coords = 0; });
+        case Keyword::exponent:
+            return taken([&] { pattern.fractal.exponent = items.integer("an exponent", 2, 33); });
+        case Keyword::form:
+            return taken([&] { pattern.crackle.form = items.vector("factors of three distances"); });
+        case Keyword::metric:
+            return taken([&] { pattern.crackle.metric = std::max(items.number("a metric"), 1e-3); });
+        case Keyword::offset:
+            return taken([&] { pattern.crackle.offset = items.number("an offset"); });
         case Keyword::solid:
-            items.skip();
-            items.flag();
-            return true;
+            return taken([&] { pattern.crackle.solid = items.flag(); });
+        case Keyword::interpolate:
+            return taken([&] { pattern.interpolation = items.integer("a kind of interpolation", 0, 2); });
+        case Keyword::interior:
+            return taken([&] { coloring(pattern.fractal.interior_type, pattern.fractal.interior_factor); });
+        case Keyword::exterior:
+            return taken([&] { coloring(pattern.fractal.exterior_type, pattern.fractal.exterior_factor); });
         default:
             return false;
     }
 }
 
 bool read_modifier(ItemReader& items, scene::Pattern& pattern) {
-    if (items.take_block(Keyword::warp)) {
-        items.context().warn_once("warp", items.taken_where(), "warp { } isn't drawn yet",
-                                  "patterns keep their regular shape");
-        return true;
-    }
     const std::optional<Keyword> keyword = items.peek_keyword();
     if (!keyword) return false;
     if (const std::optional<Wave> wave = wave_of(*keyword)) {
@@ -270,7 +322,7 @@ bool read_modifier(ItemReader& items, scene::Pattern& pattern) {
             pattern.mortar = items.number("the width of the mortar");
             return true;
         default:
-            return skip_modifier(items, *keyword);
+            return read_own_modifier(items, *keyword, pattern);
     }
 }
 
@@ -295,6 +347,11 @@ std::size_t choice_count(scene::Pattern::Kind kind) {
 }
 
 bool read_pattern_item(ItemReader& items, PatternParts& parts) {
+    if (const auto warp = items.take_block(Keyword::warp)) {
+        parts.warps.push_back({parts.texture_from_pattern, read_warp(items.context(), *warp)});
+        parts.texture_from_pattern = {};
+        return true;
+    }
     return read_transform(items, parts.texture_from_pattern) || read_modifier(items, parts.pattern) ||
            read_kind(items, parts);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "import/pov/build_image.h"
 
@@ -111,7 +112,7 @@ private:
         } else if (const auto image = items_.take_block(Keyword::image_map)) {
             pigment_.image = read_image_map(context_, *image);
             pigment_.kind = Pigment::Kind::image;
-        } else if (!read_map_block() && !read_object_pattern() && !read_keyword()) {
+        } else if (!read_map_block() && !read_keyword()) {
             unexpected();
         }
     }
@@ -125,20 +126,6 @@ private:
             }
         }
         return false;
-    }
-
-    /// pigment { object { Thing colour outside, colour inside } }
-    bool read_object_pattern() {
-        const auto block = items_.take_block(Keyword::object);
-        if (!block) return false;
-        ItemReader inside(context_, *block);
-        inside.take_block();
-        PigmentEntries choices = read_choices(inside, 2);
-        context_.warn_once("pattern object", block->where, "pattern 'object' isn't drawn yet",
-                           "its surfaces get one colour of its list");
-        parts_.pattern.kind = scene::Pattern::Kind::object;
-        set_choices(std::move(choices), 2);
-        return true;
     }
 
     bool read_keyword() {
@@ -167,7 +154,12 @@ private:
             pigment_.kind = Pigment::Kind::mapped;
             return;
         }
-        set_choices(read_choices(items_, count), count);
+        if (const auto list = std::exchange(parts_.list, nullptr)) {
+            ItemReader inside(context_, *list);
+            set_choices(read_choices(inside, count), count);
+        } else {
+            set_choices(read_choices(items_, count), count);
+        }
     }
 
     void set_choices(PigmentEntries choices, std::size_t count) {
@@ -183,7 +175,9 @@ private:
             context_.fail(block_.where, "a map without a pattern", "expected a pattern such as gradient or bozo");
         if (pigment_.kind == Pigment::Kind::mapped && pigment_.entries.empty())
             pigment_.entries = {{0, {0, 0, 0, 0, 0}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
-        move_pigment(pigment_, inverse(parts_.texture_from_pattern));
+        place(
+            parts_, [this](const Affine3d& old_from_new) { move_pigment(pigment_, old_from_new); },
+            [this](const scene::Warp& warp) { bend_pigment(pigment_, warp); });
     }
 
     [[noreturn]] void unexpected() {
@@ -199,9 +193,20 @@ private:
     const Block& block_;
     ItemReader items_;
     Pigment pigment_;
-    PatternParts parts_{pigment_.pattern, false, {}};
+    PatternParts parts_{pigment_.pattern, false, nullptr, {}, {}};
     bool map_given_ = false;
 };
+
+/// Changes a pigment's own pigments, those that lie anywhere in particular.
+template <class Change>
+void for_entries(Pigment& pigment, Change change) {
+    for (PigmentEntry& entry : pigment.entries) {
+        if (!entry.pigment || !is_positional(*entry.pigment)) continue;
+        auto changed = std::make_shared<Pigment>(*entry.pigment);
+        change(*changed);
+        entry.pigment = std::move(changed);
+    }
+}
 
 }  // namespace
 
@@ -212,14 +217,14 @@ void sort_entries(PigmentEntries& entries) {
 
 void move_pigment(Pigment& pigment, const Affine3d& old_from_new) {
     if (pigment.kind == Pigment::Kind::solid || old_from_new == Affine3d{}) return;
-    pigment.pattern.pattern_from_texture = pigment.pattern.pattern_from_texture * old_from_new;
-    pigment.image.pattern_from_texture = pigment.image.pattern_from_texture * old_from_new;
-    for (PigmentEntry& entry : pigment.entries) {
-        if (!entry.pigment || !is_positional(*entry.pigment)) continue;
-        auto moved = std::make_shared<Pigment>(*entry.pigment);
-        move_pigment(*moved, old_from_new);
-        entry.pigment = std::move(moved);
-    }
+    pigment.pattern.move(old_from_new);
+    for_entries(pigment, [&](Pigment& entry) { move_pigment(entry, old_from_new); });
+}
+
+void bend_pigment(Pigment& pigment, const scene::Warp& warp) {
+    if (pigment.kind == Pigment::Kind::solid) return;
+    pigment.pattern.bend(warp);
+    for_entries(pigment, [&](Pigment& entry) { bend_pigment(entry, warp); });
 }
 
 bool is_positional(const Pigment& pigment) { return pigment.kind != Pigment::Kind::solid; }

@@ -13,6 +13,9 @@ namespace sundog::pov {
 /// Moves a pigment: every pattern and image in it is looked up through `old_from_new` first.
 void move_pigment(scene::Pigment& pigment, const Affine3d& old_from_new);
 
+/// Bends a pigment and all within it.
+void bend_pigment(scene::Pigment& pigment, const scene::Warp& warp);
+
 /// True if the colour depends on where on an object one looks.
 bool is_positional(const scene::Pigment& pigment);
 

@@ -6,6 +6,23 @@
 #include "import/pov/build_pigment.h"
 
 namespace sundog::pov {
+namespace {
+
+class SolidTest final : public scene::InsideTest {
+public:
+    explicit SolidTest(std::shared_ptr<const solids::CompiledSolid> solid) : solid_(std::move(solid)) {}
+    [[nodiscard]] bool inside(Vec3d point) const override { return solid_->inside(point); }
+
+private:
+    std::shared_ptr<const solids::CompiledSolid> solid_;
+};
+
+}  // namespace
+
+std::shared_ptr<const scene::InsideTest> ObjectQueries::inside_test(const std::shared_ptr<const Block>& object) {
+    auto solid = compiled(object);
+    return solid ? std::make_shared<const SolidTest>(std::move(solid)) : nullptr;
+}
 
 std::shared_ptr<const solids::CompiledSolid> ObjectQueries::compiled(const std::shared_ptr<const Block>& object) {
     const auto known = compiled_.find(object);

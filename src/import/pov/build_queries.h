@@ -19,10 +19,14 @@ namespace sundog::pov {
 class ObjectQueries : public GeometryQueries {
 public:
     ObjectQueries(const SourceFiles& sources, const FileFinder& files, const PovOptions& options)
-        : context_(scratch_, sources, files, options, no_warnings_) {}
+        : context_(scratch_, sources, files, options, no_warnings_) {
+        context_.inside_test = [this](const auto& object) { return inside_test(object); };
+    }
 
     bool trace(const std::shared_ptr<const Block>& object, Vec3d origin, Vec3d direction, Hit& hit) override;
     bool inside(const std::shared_ptr<const Block>& object, Vec3d point) override;
+    /// For object patterns, which may outlive this; null for objects without any surface.
+    std::shared_ptr<const scene::InsideTest> inside_test(const std::shared_ptr<const Block>& object);
     Bounds3d extent(const std::shared_ptr<const Block>& object) override;
     std::shared_ptr<const scene::Pigment> pigment_of(const std::shared_ptr<const Block>& pigment) override {
         return pigments_.pigment_of(pigment);

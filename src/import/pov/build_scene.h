@@ -4,6 +4,7 @@
 
 #include "import/pov/build_context.h"
 #include "import/pov/build_object.h"
+#include "import/pov/build_queries.h"
 #include "import/pov/build_texture.h"
 #include "import/pov/build_writer.h"
 #include "import/pov/interpreter.h"
@@ -16,6 +17,11 @@ public:
     SceneBuilder(scene::Scene& scene, const SourceFiles& sources, const FileFinder& files, const PovOptions& options,
                  const WarningSink& warn)
         : context_(scene, sources, files, options, warn) {}
+
+    /// Where object patterns get their objects from; it must outlive the builder.
+    void ask(ObjectQueries& queries) {
+        context_.inside_test = [&queries](const auto& object) { return queries.inside_test(object); };
+    }
 
     void add(Block&& block) override;
     /// Call after the last block: fills in what POV-Ray takes where a scene says nothing.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
@@ -59,6 +60,24 @@ void keep_depth(TextureLayer& layer) {
 
 }  // namespace
 
+namespace {
+
+void bend_texture(LayeredTexture& texture, const scene::Warp& warp) {
+    for (TextureLayer& layer : texture.layers) {
+        if (layer.normal) {
+            auto normal = std::make_shared<scene::Normal>(*layer.normal);
+            bend_normal(*normal, warp);
+            layer.normal = std::move(normal);
+        }
+        if (!is_positional(*layer.pigment)) continue;
+        auto bent = std::make_shared<Pigment>(*layer.pigment);
+        bend_pigment(*bent, warp);
+        layer.pigment = std::move(bent);
+    }
+}
+
+}  // namespace
+
 void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
     for (TextureLayer& layer : texture.layers) {
         if (layer.normal) {
@@ -94,11 +113,14 @@ public:
             changed_ = true;
         }
         if (!changed_ && base_) {
-            if (parts_.texture_from_pattern == Affine3d{} || !is_positional(*base_)) return base_;
+            const bool moved = !parts_.warps.empty() || !(parts_.texture_from_pattern == Affine3d{});
+            if (!moved || !is_positional(*base_)) return base_;
             own_ = *base_;
         }
         if (!changed_ && !base_) return owner_.default_texture(block_);
-        move_texture(own_, inverse(parts_.texture_from_pattern));
+        place(
+            parts_, [this](const Affine3d& old_from_new) { move_texture(own_, old_from_new); },
+            [this](const scene::Warp& warp) { bend_texture(own_, warp); });
         if (uv_mapping_)
             for (TextureLayer& layer : own_.layers) set_uv_mapping(layer);
         if (keeps_depth_)
@@ -176,9 +198,9 @@ private:
         }
     }
 
-    void read_choices(std::size_t count) {
+    void read_choices(ItemReader& items, std::size_t count) {
         while (entries_.size() < count) {
-            const auto block = items_.take_block(Keyword::texture);
+            const auto block = items.take_block(Keyword::texture);
             if (!block) return;
             entries_.push_back({0, owner_.read(block)});
         }
@@ -224,7 +246,13 @@ private:
                                                Keyword::gradient,    Keyword::checker};
             items_.unexpected(kValid);
         }
-        if (parts_.given) read_choices(choice_count(parts_.pattern.kind));
+        const std::size_t count = parts_.given ? choice_count(parts_.pattern.kind) : 0;
+        if (const auto list = std::exchange(parts_.list, nullptr)) {
+            ItemReader inside(context_, *list);
+            read_choices(inside, count);
+        } else {
+            read_choices(items_, count);
+        }
         parts_.given |= given;
     }
 

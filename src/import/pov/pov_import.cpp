@@ -28,6 +28,7 @@ scene::Scene import_pov(const std::filesystem::path& file, const PovOptions& opt
     const FileFinder files(file.parent_path(), options);
     SceneBuilder builder(scene, sources, files, options, warn);
     ObjectQueries queries(sources, files, options);
+    builder.ask(queries);
     interpret(file, options, sources, builder, &queries, warn);
     builder.finish();
     std::vector<std::string> read = std::move(scene.files);

@@ -18,6 +18,9 @@
 #include "kernel/materials/bump.h"
 #include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
+#ifdef __cplusplus
+#include "kernel/lights/indirect.h"
+#endif
 
 KERNEL_BEGIN
 
@@ -100,7 +103,11 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.ray = ray;
     path.weight = real3(real(1.0f));
     path.depth = word(0u);
+#ifdef __cplusplus
+    path.kind = word(scene.first_ray_kind);
+#else
     path.kind = word(RAY_CAMERA);
+#endif
     path.alive = alive;
     first.t = real(3.0e38f);
     first.normal = black;
@@ -131,6 +138,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
             Lobes lobes = evaluate_material(SCENE_ s, path.ray.direction);
             LayerColors layered;
+            real3 smooth_normal = s.normal;
             if (FEATURE(FEATURE_PATTERNED)) {
                 path.weight = path.weight * inside_transmittance(SCENE_ s, hit.t, found);
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
@@ -140,6 +148,10 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             real3 base;
             real3 highlight;
             direct_light(SCENE_ s, lobes, layered, -path.ray.direction, found, counts, base, highlight);
+#ifdef __cplusplus
+            if (FEATURE(FEATURE_RADIOSITY))
+                base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
+#endif
             if (is_first && FRAME.aovs != 0u) {
                 first.t = select(found, hit.t, first.t);
                 first.normal = select(found, s.normal, black);

@@ -62,7 +62,15 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
     shadow.t_min = real(0.0f);
     // Short of the light by both ends' rounding: a light may lie in a surface.
     shadow.t_max = distance;
-    if (light.kind != LIGHT_SUN) shadow.t_max = distance - hit_error(origin, real3(light.place), distance);
+    if (light.kind == LIGHT_LAMP || light.kind == LIGHT_SPOT) {
+        // From where the ray starts, which is a little off the lit point: else it would end beside the light.
+        real3 to_place = real3(light.place) - origin;
+        real reach = length(to_place);
+        shadow.t_max = reach - hit_error(origin, real3(light.place), reach);
+        shadow.direction = to_place * (1.0f / max(reach, real(1e-30f)));
+    } else if (light.kind != LIGHT_SUN) {
+        shadow.t_max = distance - hit_error(origin, real3(light.place), distance);
+    }
     bool is_area = light.area_count_u * light.area_count_v > 1u;
     bool probing = light.area_probes > 1u && light.area_probes < max(light.area_count_u, light.area_count_v);
     uint steps_u = probing ? min(light.area_probes, light.area_count_u) : light.area_count_u;

@@ -74,7 +74,13 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             Layer layer = AT(layers, m.first_layer + l);
             real3 at = point;
             if (layer.uses_uv != 0u) at = real3(s.uv.x, s.uv.y, real(0.0f));
-            PigmentColor c = run_program(SCENE_ layer.program, at);
+            PatternPoint asked;
+            asked.position = at;
+            asked.normal = s.normal;
+            asked.direction = incoming;
+            asked.world = s.position;
+            asked.asking = here;
+            PigmentColor c = run_program_at(SCENE_ layer.program, asked);
             // Of more than all it lets through, a pigment takes its own colour away: scenes raise contrast by that.
             real3 own = above * c.rgb * (1.0f - c.filtered - c.transmitted);
             layered.own[l] = select(here, own, layered.own[l]);
@@ -89,8 +95,9 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
                 if (layer.normal != NONE && !for_shadow) {
                     real3 placed = point;
                     if (layer.normal_uses_uv != 0u) placed = real3(s.uv.x, s.uv.y, real(0.0f));
-                    n = perturbed_normal(SCENE_ layer.normal, placed, m.texture_from_world_x, m.texture_from_world_y,
-                                         m.texture_from_world_z, n);
+                    asked.position = placed;
+                    n = perturbed_normal(SCENE_ layer.normal, asked, m.texture_from_world_x, m.texture_from_world_y,
+                                         m.texture_from_world_z);
                 }
                 layered.normal[l] = select(here, n, layered.normal[l]);
                 cos_layer = -dot(n, incoming);

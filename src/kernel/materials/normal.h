@@ -11,29 +11,34 @@
 KERNEL_BEGIN
 
 /// A height program's answer: the grey of its colour.
-FN real pattern_height(SCENE uint program, real3 p) {
-    return dot(run_program(SCENE_ program, p).rgb, real3(vec3(0.297f, 0.589f, 0.114f)));
+FN real pattern_height(SCENE uint program, PatternPoint at) {
+    return dot(run_program_at(SCENE_ program, at).rgb, real3(vec3(0.297f, 0.589f, 0.114f)));
 }
 
 /// A fifteenth of twice the height's slope, by differences between the corners of a tetrahedron of radius `step`.
-FN real3 pattern_slope(SCENE uint program, real3 p, float step) {
+FN real3 pattern_slope(SCENE uint program, PatternPoint at, float step) {
+    real3 p = at.position;
     real3 sum = real3(real(0.0f));
     for (uint i = 0u; i < 4u; i = i + 1u) {
         vec3 corner = vec3(0.0f, 1.0f, 0.0f);
         if (i == 1u) corner = vec3(0.942809042f, -0.333333333f, 0.0f);
         if (i == 2u) corner = vec3(-0.471404521f, -0.333333333f, 0.816496581f);
         if (i == 3u) corner = vec3(-0.471404521f, -0.333333333f, -0.816496581f);
-        sum = sum + real3(corner) * pattern_height(SCENE_ program, p + real3(corner) * real(step));
+        at.position = p + real3(corner) * real(step);
+        sum = sum + real3(corner) * pattern_height(SCENE_ program, at);
     }
     return sum * real(0.1f / step);
 }
 
 /// An image's differences to the next texel, rightwards and upwards.
-FN real3 image_slope(SCENE uint program, real3 p, float texel_u, float texel_v) {
-    real here = pattern_height(SCENE_ program, p);
-    real right = pattern_height(SCENE_ program, p + real3(vec3(texel_u, 0.0f, 0.0f)));
-    real up = pattern_height(SCENE_ program, p + real3(vec3(0.0f, texel_v, 0.0f)));
-    return real3(right - here, up - here, real(0.0f));
+FN real3 image_slope(SCENE uint program, PatternPoint at, float texel_u, float texel_v) {
+    real3 p = at.position;
+    real heights[3];
+    for (uint i = 0u; i < 3u; i = i + 1u) {
+        at.position = p + real3(vec3(i == 1u ? texel_u : 0.0f, i == 2u ? texel_v : 0.0f, 0.0f));
+        heights[i] = pattern_height(SCENE_ program, at);
+    }
+    return real3(heights[1] - heights[0], heights[2] - heights[0], real(0.0f));
 }
 
 /// Ripples (all of one wavelength, 1) or waves (each of another, the longer the steeper) from ten places near the
@@ -53,9 +58,13 @@ FN real3 rings_slope(real3 p, bool one_wavelength, float frequency, float phase)
 }
 
 /// What a normal of kind `kind` adds to a unit normal at p, both in the pattern's space, for an amount of 1.
-FN real3 normal_offset(SCENE uint kind, real3 p, uint program, float first, float second) {
-    if (kind == NORMAL_PATTERN) return -pattern_slope(SCENE_ program, p, first);
-    if (kind == NORMAL_IMAGE) return -image_slope(SCENE_ program, p, first, second);
+FN real3 normal_offset(SCENE uint kind, PatternPoint at, uint program, float first, float second) {
+    if (kind == NORMAL_PATTERN) return -pattern_slope(SCENE_ program, at, first);
+    if (kind == NORMAL_IMAGE) return -image_slope(SCENE_ program, at, first, second);
+    real3 p = at.position;
+#ifdef __cplusplus
+    if (kind == NORMAL_HOST) return ask_host(SCENE_ program, p, at, at.asking);
+#endif
     if (kind == NORMAL_RIPPLES || kind == NORMAL_WAVES) return rings_slope(p, kind == NORMAL_RIPPLES, first, second);
     if (kind == NORMAL_BUMPS) return noise_vector(p) * real(1.03f);
     if (kind == NORMAL_DENTS) {
@@ -72,16 +81,19 @@ FN real3 normal_offset(SCENE uint kind, real3 p, uint program, float first, floa
 }
 
 /// The unit normal n, bent by the list of normals at `start` of the program code (NORMAL_WORDS each, see shared.h).
-/// `point` and the columns of texture_from_world are where the texture lies.
-FN_LARGE real3 perturbed_normal(SCENE uint start, real3 point, vec3 texture_x, vec3 texture_y, vec3 texture_z,
-                                real3 n) {
+/// `at` and the columns of texture_from_world are where the texture lies.
+FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 texture_x, vec3 texture_y,
+                                vec3 texture_z) {
+    real3 n = at_point.normal;
+    real3 point = at_point.position;
     real3 sum = real3(real(0.0f));
     uint count = AT(code, start);
     for (uint i = 0u; i < count; i = i + 1u) {
         uint at = start + 1u + i * NORMAL_WORDS;
         real weight = real(1.0f);
-        if (AT(code, at) != NONE) weight = run_program(SCENE_ AT(code, at), point).rgb.x;
-        if (any_lane(weight > real(0.0f))) {
+        if (AT(code, at) != NONE) weight = run_program_at(SCENE_ AT(code, at), at_point).rgb.x;
+        mask wanted = mask_and(at_point.asking, weight > real(0.0f));
+        if (any_lane(wanted)) {
             real3 from_x = real3(code_vec3(SCENE_ at + 10u));
             real3 from_y = real3(code_vec3(SCENE_ at + 13u));
             real3 from_z = real3(code_vec3(SCENE_ at + 16u));
@@ -91,8 +103,14 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, real3 point, vec3 texture_x, v
                 real3 stirred = turbulence_vector(p, octaves, code_float(SCENE_ at + 7u), code_float(SCENE_ at + 8u));
                 p = p + real3(code_vec3(SCENE_ at + 22u)) * stirred;
             }
-            real3 offset = normal_offset(SCENE_ AT(code, at + 1u), p, AT(code, at + 4u), code_float(SCENE_ at + 5u),
-                                         code_float(SCENE_ at + 6u)) *
+#ifdef __cplusplus
+            if (AT(code, at + 25u) != NONE) p = run_whole_program(SCENE_ AT(code, at + 25u), at_point).point;
+#endif
+            PatternPoint placed = at_point;
+            placed.position = p;
+            placed.asking = wanted;
+            real3 offset = normal_offset(SCENE_ AT(code, at + 1u), placed, AT(code, at + 4u),
+                                         code_float(SCENE_ at + 5u), code_float(SCENE_ at + 6u)) *
                            real(code_float(SCENE_ at + 2u));
             // Normals go to the pattern's space by the inverse transposed of A = pattern_from_world, are made unit and
             // bent there and come back by the transposed: that is n + |A^-T n| A^T offset.

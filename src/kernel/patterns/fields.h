@@ -65,7 +65,10 @@ FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
 /// A field's value bent by its wave form: 0..1.
 FN real wave_value(uint wave, real value, float frequency, float phase, float exponent) {
     if (wave == WAVE_NONE) return clamp(value, real(0.0f), real(1.0f));
-    real v = fraction(value * frequency + phase);
+    // Just over 1, so that 1 itself is the end of a map, not its beginning; as povray's pictures show it.
+    const float period = 1.00001f;
+    real scaled = value * frequency + phase;
+    real v = scaled - floor(scaled * (1.0f / period)) * period;
     if (wave == WAVE_TRIANGLE) return 1.0f - abs(2.0f * v - 1.0f);
     if (wave == WAVE_SINE) return (1.0f + sine(v * 6.28318531f)) * 0.5f;
     if (wave == WAVE_SCALLOP) return sine(v * 3.14159265f);

@@ -4,6 +4,7 @@
 #define SUNDOG_KERNEL_PATTERNS_PROGRAM_H
 
 #include "kernel/patterns/fields.h"
+#include "kernel/patterns/host.h"
 #include "kernel/patterns/texture.h"
 
 KERNEL_BEGIN
@@ -97,13 +98,34 @@ FN PigmentColor image_color(SCENE uint at, real3 p) {
     return c;
 }
 
-/// The colour that the program at `start` gives for a point (in the pigment's space).
-FN_LARGE PigmentColor run_program(SCENE uint start, real3 at_point) {
+/// A point without a surface, asked for by all lanes.
+FN PatternPoint free_point(real3 position) {
+    PatternPoint at;
+    at.position = position;
+    at.normal = real3(real(0.0f));
+    at.direction = real3(real(0.0f));
+    at.world = position;
+    at.asking = mask(true);
+    return at;
+}
+
+/// What a program leaves behind.
+struct ProgramResult {
+    PigmentColor color;  ///< Colour 0.
+    real3 point;         ///< Point 1.
+};
+
+/// Runs the program at `start`.
+FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
     real3 points[PROGRAM_SLOTS];
     real values[PROGRAM_SLOTS];
+    real shares[PROGRAM_SLOTS];
+    mask asking[PROGRAM_SLOTS];
     PigmentColor colors[PROGRAM_SLOTS];
-    points[0] = at_point;
+    points[0] = at.position;
+    points[1] = at.position;
     colors[0] = no_color();
+    asking[0] = at.asking;
     uint pc = start;
     while (true) {
         uint instruction = AT(code, pc);
@@ -158,20 +180,45 @@ FN_LARGE PigmentColor run_program(SCENE uint start, real3 at_point) {
             pc = pc + 1u + count * 5u;
         } else if (op == OP_CLEAR) {
             colors[target] = no_color();
-        } else if (op == OP_BLEND_MAP || op == OP_BLEND_PICK) {
+        } else if (op == OP_ENTER_MAP || op == OP_ENTER_PICK || op == OP_ENTER_SHARE) {
             real share;
-            if (op == OP_BLEND_MAP) {
-                share = entry_share(values[source2], code_float(SCENE_ pc), code_float(SCENE_ pc + 1u),
+            if (op == OP_ENTER_MAP) {
+                share = entry_share(values[target], code_float(SCENE_ pc), code_float(SCENE_ pc + 1u),
                                     code_float(SCENE_ pc + 2u));
                 pc = pc + 3u;
-            } else {
-                mask here = abs(values[source2] - code_float(SCENE_ pc)) < real(0.5f);
+            } else if (op == OP_ENTER_PICK) {
+                mask here = abs(values[target] - code_float(SCENE_ pc)) < real(0.5f);
                 share = select(here, real(1.0f), real(0.0f));
                 pc = pc + 1u;
+            } else {
+                share = real(code_float(SCENE_ pc));
+                pc = pc + 1u;
             }
-            colors[target].rgb = colors[target].rgb + colors[source].rgb * share;
-            colors[target].filtered = colors[target].filtered + colors[source].filtered * share;
-            colors[target].transmitted = colors[target].transmitted + colors[source].transmitted * share;
+            mask wanted = mask_and(asking[target], share > real(0.0f));
+            shares[target] = share;
+            asking[target + 1u] = wanted;
+            uint skip = AT(code, pc);
+            pc = pc + 1u;
+            if (!any_lane(wanted)) pc = pc + skip;
+        } else if (op == OP_BLEND) {
+            real share = shares[target];
+            PigmentColor entry = colors[target + 1u];
+            colors[target].rgb = colors[target].rgb + entry.rgb * share;
+            colors[target].filtered = colors[target].filtered + entry.filtered * share;
+            colors[target].transmitted = colors[target].transmitted + entry.transmitted * share;
+        } else if (op == OP_GRAY) {
+            PigmentColor c = colors[source];
+            values[target] =
+                AT(code, pc) != 0u ? 1.0f - c.transmitted : dot(c.rgb, real3(vec3(0.297f, 0.589f, 0.114f)));
+            pc = pc + 1u;
+#ifdef __cplusplus
+        } else if (op == OP_HOST_FIELD) {
+            values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
+            pc = pc + 1u;
+        } else if (op == OP_HOST_WARP) {
+            points[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]);
+            pc = pc + 1u;
+#endif
         } else if (op == OP_TURBULENCE) {
             real3 stirred = turbulence_vector(points[source], AT(code, pc + 3u), code_float(SCENE_ pc + 4u),
                                               code_float(SCENE_ pc + 5u));
@@ -182,7 +229,18 @@ FN_LARGE PigmentColor run_program(SCENE uint start, real3 at_point) {
             pc = pc + 5u;
         }
     }
-    return colors[0];
+    ProgramResult result;
+    result.color = colors[0];
+    result.point = points[1];
+    return result;
+}
+
+/// The colour that the program at `start` gives.
+FN PigmentColor run_program_at(SCENE uint start, PatternPoint at) { return run_whole_program(SCENE_ start, at).color; }
+
+/// The colour that the program at `start` gives for a point (in the pigment's space) that is on no surface.
+FN PigmentColor run_program(SCENE uint start, real3 at_point) {
+    return run_program_at(SCENE_ start, free_point(at_point));
 }
 
 KERNEL_END

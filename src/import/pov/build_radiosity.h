@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// `radiosity { }` of global settings (POV-Ray reference, section 3.4.4.3).
+#pragma once
+
+#include "import/pov/build_items.h"
+#include "scene/scene.h"
+
+namespace sundog::pov {
+
+/// `start` as the block changes it.
+scene::Radiosity read_radiosity(BuildContext& context, const Block& block, scene::Radiosity start);
+
+}  // namespace sundog::pov

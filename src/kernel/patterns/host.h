@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fields, warps and normals that only the host computes, one lane at a time, in double precision: those that need other
+// parts of the program (functions, solids, data files) or are too rare to be worth a vectorised form.
+#ifndef SUNDOG_KERNEL_PATTERNS_HOST_H
+#define SUNDOG_KERNEL_PATTERNS_HOST_H
+
+#include "kernel/compat/compat.h"
+
+KERNEL_BEGIN
+
+/// Where lanes ask for patterns, and which do.
+struct PatternPoint {
+    real3 position;
+    real3 normal;     ///< The surface's, unit, world space; 0: there is no surface.
+    real3 direction;  ///< Of the ray that sees it, unit, world space.
+    real3 world;      ///< The surface's point in world space.
+    mask asking;      ///< Other lanes' answers are of no use.
+};
+
+#ifdef __cplusplus
+/// What host field number `index` answers at p in the lanes of `asking`; 0 in others.
+FN real3 ask_host(SCENE uint index, real3 p, PatternPoint at, mask asking) {
+#if SUNDOG_KERNEL_LANES == 1
+    if (!asking) return vec3(0.0f, 0.0f, 0.0f);
+    return scene.host_fields->at(index, HostPoint{p, at.normal, at.direction, at.world});
+#else
+    real3 answer = real3(real(0.0f));
+    const auto lane_of = [](const real3& v, int i) { return vec3(v.x.v[i], v.y.v[i], v.z.v[i]); };
+    for (unsigned lanes = lane_bits(asking); lanes != 0; lanes &= lanes - 1) {
+        const int i = std::countr_zero(lanes);
+        const vec3 one = scene.host_fields->at(
+            index, HostPoint{lane_of(p, i), lane_of(at.normal, i), lane_of(at.direction, i), lane_of(at.world, i)});
+        answer.x.v[i] = one.x;
+        answer.y.v[i] = one.y;
+        answer.z.v[i] = one.z;
+    }
+    return answer;
+#endif
+}
+#endif
+
+KERNEL_END
+
+#endif
