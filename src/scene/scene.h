@@ -59,7 +59,7 @@ struct MeshCamera {
 
 /// A camera of functions of a picture's x and y, each -0.5 to 0.5 (POV-Ray 3.8).
 struct FunctionCamera {
-    std::shared_ptr<const Function> location, direction;  ///< 2 inputs, 3 outputs; null: location and direction.
+    std::shared_ptr<const Function> location, direction;  ///< 3 inputs (x, y, 0), 3 outputs; null: those vectors.
     Affine3d world_from_camera;
 };
 

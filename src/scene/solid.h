@@ -172,7 +172,7 @@ struct Lemon {
 
 /// x, y and z as functions of u and v, as far as the container goes. A mere surface.
 struct Parametric {
-    std::shared_ptr<const Function> function;     ///< 2 inputs, 3 outputs.
+    std::shared_ptr<const Function> function;     ///< 3 inputs (u, v, 0), 3 outputs.
     std::array<double, 2> first{}, last{{1, 1}};  ///< u and v.
     bool in_sphere = false;
     Vec3d center;  ///< Of a sphere.

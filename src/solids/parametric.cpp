@@ -91,11 +91,12 @@ private:
             ranges.run();
             Bounds3d box;
             std::array<double, 2> stretch{};
+            double doubt = 0;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const fields::Affine<2> value = ranges.output(axis);
                 box.lower[axis] = value.lower, box.upper[axis] = value.upper;
-                for (std::size_t i = 0; i < 2; ++i)
-                    stretch[i] = std::max(stretch[i], std::abs(value.slope[i]) + 0.5 * value.error);
+                for (std::size_t i = 0; i < 2; ++i) stretch[i] = std::max(stretch[i], std::abs(value.slope[i]));
+                doubt = std::max(doubt, value.error);
             }
             if (budget > 0) --budget;
             const Bounds3d part = common(box, container_);
@@ -109,11 +110,12 @@ private:
                 reach_ = joined(reach_, boxes.back());
                 continue;
             }
-            // Across the direction in which it is longer in space.
-            const std::size_t longer =
-                std::isfinite(stretch[0]) && std::isfinite(stretch[1])
-                    ? (stretch[0] >= stretch[1] ? 0U : 1U)
-                    : (patch.upper[0] - patch.lower[0] >= patch.upper[1] - patch.lower[1] ? 0U : 1U);
+            // Across the direction in which it is longer in space; while that is in doubt, in its share of the
+            // rectangle.
+            if (!(doubt < 0.5 * std::max(stretch[0], stretch[1])))
+                for (std::size_t i = 0; i < 2; ++i)
+                    stretch[i] = (patch.upper[i] - patch.lower[i]) / (p_.last[i] - p_.first[i]);
+            const std::size_t longer = stretch[0] >= stretch[1] ? 0 : 1;
             Patch low = patch;
             Patch high = patch;
             low.upper[longer] = high.lower[longer] = 0.5 * (patch.lower[longer] + patch.upper[longer]);

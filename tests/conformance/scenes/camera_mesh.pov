@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#declare Rays = mesh { #for (Row, 0, image_height - 1) #for (Column, 0, image_width - 1)
-    #local At = <4 * (Column/image_width - 0.5), 3 * (0.5 - Row/image_height), -4>;
+#declare Rays = mesh { #for (Row, 0, 120 - 1) #for (Column, 0, 160 - 1)
+    #local At = <4 * (Column/160 - 0.5), 3 * (0.5 - Row/120), -4>;
     triangle { At, At + 0.001*y, At + 0.001*x }
 #end #end }
 camera { mesh_camera { 1 0 mesh { Rays } } }
