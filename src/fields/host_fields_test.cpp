@@ -48,11 +48,6 @@ TEST(HostFields, FractalsAreThoseOfPovray) {
     FractalForm magnet;
     magnet.formula = FractalForm::Formula::magnet1, magnet.iterations = 30;
     EXPECT_NEAR(fractal_value(magnet, -0.5, 0.6), 0.2, 1e-5);
-    magnet.interior_type = 6, magnet.exterior_type = 6, magnet.exterior_factor = 0.01;
-    EXPECT_NEAR(fractal_value(magnet, 0.1, 0.2), 0.29217, 1e-5);
-    EXPECT_NEAR(fractal_value(magnet, 2.5, 0), 0.48841, 1e-5);
-    magnet.formula = FractalForm::Formula::magnet2, magnet.interior_type = 1;
-    EXPECT_NEAR(fractal_value(magnet, 0.1, 0.2), 0.41686, 1e-5);
 }
 
 // Catches mirrored copies that are shifted, offsets applied before the mirror, and holes that pull where they push.

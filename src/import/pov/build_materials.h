@@ -33,7 +33,7 @@ private:
     scene::Scene& scene_;
     std::unordered_map<std::string, scene::Index> known_;
     std::unordered_map<InteriorPointer, std::uint32_t> interiors_;  // Their numbers, from 1.
-    const scene::LayeredTexture* last_texture_ = nullptr;  // Of the last material that is the same everywhere.
+    const scene::LayeredTexture* last_texture_ = nullptr;           // Of the last material that is the same everywhere.
     const scene::Interior* last_interior_ = nullptr;
     bool last_hollow_ = false;
     scene::Index last_ = 0;

@@ -315,13 +315,13 @@ TEST(BuildSettings, RadiosityIsRead) {
 // A scene refused, or its other objects lost, for one shape that can't be drawn.
 TEST(BuildShape, IsosurfacesOfUnknownFunctionsAreLeftOut) {
     const BuiltScene built = build(R"(
-        #declare Unknown = function { internal(25) }
+        #declare Unknown = function { internal(26) }
         #declare Around = function(x, y, z) { Unknown(x, y, z, 1, 2, 3, 4, 5, 6, 7) + Unknown(z, y, x, 1, 2, 3, 4, 5, 6, 7) }
         isosurface { function { Around(x, y, z) - 1 } contained_by { box { -1, 1 } } max_gradient 2 translate x }
         sphere { 0, 1 })");
     EXPECT_EQ(built.scene.objects.size(), 1U);
     ASSERT_EQ(built.warnings.size(), 1U);
-    EXPECT_NE(built.warnings[0].find("internal(25)"), std::string::npos) << built.warnings[0];
+    EXPECT_NE(built.warnings[0].find("internal(26)"), std::string::npos) << built.warnings[0];
 }
 
 // Messages without the place, or without what would have been right.

@@ -42,8 +42,8 @@ FN real3 layer_reflectance(Layer layer, real eta, real3 color, real cos_in) {
 }
 
 /// Puts the textures of those lanes of `found` that have one into `lobes`, whose eta is set already, and their layers
-/// into `layered`. For a shadow ray, which goes straight on, nothing is thrown back by total internal reflection or kept
-/// by conserve_energy, as in povray.
+/// into `layered`. For a shadow ray, which goes straight on, nothing is thrown back by total internal reflection or
+/// kept by conserve_energy, as in povray.
 FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool for_shadow, INOUT(Lobes) lobes,
                               OUT(LayerColors) layered) {
     real3 black = real3(real(0.0f));
