@@ -15,9 +15,12 @@ if(SUNDOG_SANITIZE)
   # All but targets with the property UNSANITIZED: the wide kernels, over which sanitizers take longer than over all the rest.
   target_compile_options(sundog_options INTERFACE
     "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNSANITIZED>>>:-fsanitize=address,undefined;-fno-sanitize-recover=all;-fno-omit-frame-pointer>")
-  # GCC 12 takes parts of variants for uninitialised in instrumented code (its manual warns of that with -fsanitize).
-  target_compile_options(sundog_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(sundog_options INTERFACE -fsanitize=address,undefined)
+endif()
+# GCC takes parts of variants for uninitialised: from version 13 on, and in instrumented code before (its manual warns of
+# that with -fsanitize).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND (SUNDOG_SANITIZE OR CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13))
+  target_compile_options(sundog_options INTERFACE -Wno-maybe-uninitialized)
 endif()
 if(SUNDOG_FUZZ)
   target_compile_options(sundog_options INTERFACE -fsanitize=fuzzer-no-link)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "compile/camera.h"
 #include "compile/convert.h"
 #include "compile/material.h"
 #include "compile/mesh.h"
@@ -38,9 +39,30 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
         out.material_names.push_back(m.name);
     }
     patterns.compile_sky();
+    if (scene.projection_camera && scene.projection_camera->normal)
+        out.camera_normal = patterns.normals_of(*scene.projection_camera->normal);
     if (out.materials.empty()) {
         out.materials.push_back(compile_material(scene::Material{}, {}));
         out.material_names.emplace_back("default");
+    }
+}
+
+/// What of the camera the kernel doesn't have.
+void compile_camera(const scene::Scene& scene, RenderScene& out) {
+    if (!scene.projection_camera) return;
+    const scene::ProjectionCamera& camera = *scene.projection_camera;
+    out.camera_where = camera.where;
+    if (camera.mesh) {
+        out.camera_rays = make_mesh_camera(camera);
+        out.camera_feature = "rays of a mesh";
+    } else if (camera.function) {
+        out.camera_rays = make_function_camera(camera, scene.textures);
+        out.camera_feature = "rays of functions";
+    } else if (camera.blur.aperture > 0 && camera.blur.most_samples > 0) {
+        out.camera_rays = make_lens_camera(camera, scene.textures);
+        out.camera_feature = "focal blur";
+    } else if (camera.normal) {
+        out.camera_feature = "a normal";
     }
 }
 
@@ -112,7 +134,8 @@ private:
 /// Which rays don't see an object.
 std::uint32_t hidden_from(const scene::Object& object) {
     return (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
-           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW);
+           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW) |
+           (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
 }
 
 /// Lists the geometries of the scene's objects.
@@ -199,6 +222,9 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
     for (const kernel::Geometry& g : scene.geometries)
         if (g.hidden_from != 0) features |= kernel::FEATURE_HIDDEN;
     if (moving) features |= kernel::FEATURE_INSTANCES;
+    // Fog isn't in what isn't hollow.
+    const bool in_fog = !scene.fogs.empty() && (features & kernel::FEATURE_PATTERNED) != 0;
+    if (!scene.media_places.empty() || in_fog) features |= kernel::FEATURE_MEDIA;
     return features;
 }
 
@@ -208,6 +234,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
     auto out = std::make_shared<RenderScene>();
     compile_textures(scene, *out);
     compile_materials(scene, *out);
+    compile_camera(scene, *out);
 
     const MeshAttributes attributes = attributes_of(scene, *out);
     GeometryList list(*out);
@@ -227,6 +254,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         out->bounds.include(world_bounds_of(object, bounds_of(object)));
     }
     out->features = features_of(*out, attributes, list.moving());
+    if (scene.radiosity) out->radiosity = scene.radiosity->where;
 
     // Arrays bound to a kernel are never empty, and positions are read four floats at a time.
     out->positions.push_back({0, 0, 0});

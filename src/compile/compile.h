@@ -26,6 +26,7 @@ struct FrameOptions {
     std::optional<float> far_z;
     std::optional<kernel::Camera> camera;  ///< Instead of the scene's own.
     std::uint32_t aovs = 0;                ///< AOV_* bits
+    bool radiosity = true;                 ///< False: scenes that have it are drawn with ambient light instead.
 };
 
 /// The frame of a compiled scene at a moment: camera, lights, moving objects, limits.

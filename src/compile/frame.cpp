@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "compile/compile.h"
 #include "compile/convert.h"
+#include "compile/insides.h"
 #include "compile/lights.h"
 
 namespace sundog {
@@ -123,6 +125,29 @@ void set_camera(const scene::Scene& scene, const FrameOptions& options, float ti
     }
 }
 
+/// Turns radiosity on, and ambient light off, which stands for it elsewhere.
+void set_radiosity(const scene::Radiosity& r, Frame& frame) {
+    frame.params.features |= kernel::FEATURE_RADIOSITY;
+    if (!r.keeps_ambient) frame.params.ambient = {0, 0, 0};
+    IrradianceCaching& out = frame.radiosity.emplace();
+    out.count = r.count;
+    out.recursion_limit = r.recursion_limit;
+    out.nearest_count = r.nearest_count;
+    out.error_bound = r.error_bound;
+    out.low_error_factor = r.low_error_factor;
+    out.minimum_reuse = r.minimum_reuse;
+    out.maximum_reuse = r.maximum_reuse;
+    out.pretrace_start = r.pretrace_start;
+    out.pretrace_end = r.pretrace_end;
+    out.gray_threshold = r.gray_threshold;
+    out.brightness = r.brightness;
+    out.max_sample = r.max_sample;
+    out.min_weight = r.adc_bailout;
+    out.bent_normals = r.normal;
+    out.through_media = r.media;
+    out.always_sample = r.always_sample;
+}
+
 /// What lights other than plain lamps and suns need.
 bool has_shape(const kernel::Light& light) {
     return light.kind == kernel::LIGHT_SPOT || light.kind == kernel::LIGHT_CYLINDER || light.fade_power > 0;
@@ -139,6 +164,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.width = static_cast<std::uint32_t>(choose(options.width, settings.width, kDefaultWidth));
     params.height = static_cast<std::uint32_t>(choose(options.height, settings.height, kDefaultHeight));
     set_camera(scene, options, time_s, params);
+    if (!options.camera) frame.camera_rays = compiled.camera_rays, frame.camera_normal = compiled.camera_normal;
     params.ambient = to_kernel(scene.ambient);
     params.sky = to_kernel(scene.sky);
     params.max_depth = static_cast<std::uint32_t>(choose(options.max_depth, settings.max_depth, kDefaultMaxDepth));
@@ -160,11 +186,19 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     frame.instances = instances_at(scene, compiled, time_s);
 
     params.features = compiled.features;
+    if (frame.camera_normal != kernel::NONE) params.features |= kernel::FEATURE_NORMALS;
+    params.atmosphere = compiled.atmosphere;
+    std::fill(std::begin(params.eye_insides), std::end(params.eye_insides), kernel::NONE);
+    if (params.features & kernel::FEATURE_MEDIA) {
+        const kernel::vec3 eye = params.camera.eye;
+        set_insides(compiled, {eye.x, eye.y, eye.z}, params.eye_insides);
+    }
     if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
         params.features |= kernel::FEATURE_LIGHT_SHAPES;
     if (params.fog_count > 0 || params.sky_layer_count > 0) params.features |= kernel::FEATURE_ATMOSPHERE;
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
+    if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

@@ -79,7 +79,8 @@ void warn_of_dropped(const scene::Object& object, std::size_t dropped, std::size
     if (dropped == 0 || !warn) return;
     warn({Severity::warning, object.where,
           "object '" + object.name + "': " + std::to_string(dropped) + " of " + std::to_string(total) +
-              (total == 1 ? " triangle has" : " triangles have") + " no area and can't be seen; left out",
+              (total == 1 ? " triangle has" : " triangles have") +
+              " no area, or one beyond single precision, and can't be seen; left out",
           "", ""});
 }
 

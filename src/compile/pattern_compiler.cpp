@@ -55,6 +55,20 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
     return out;
 }
 
+/// Povray's pictures show that method 3 takes a step for each two samples, and at least two.
+constexpr int kSamplesPerStep = 2;
+/// Steps of the methods without adaption, at least: it is noise that povray's pictures have with less.
+constexpr int kLeastSteps = 12;
+constexpr int kMostSteps = 256;
+/// A step is halved where its contribution may be wrong by this share of `aa_threshold`.
+constexpr float kThresholdShare = 0.4F;
+
+std::uint32_t media_steps(const scene::Medium& m) {
+    const int steps =
+        m.method == 3 ? std::max(m.samples, 3) / kSamplesPerStep + 1 : std::max(m.intervals * m.samples, kLeastSteps);
+    return static_cast<std::uint32_t>(std::min(steps, kMostSteps));
+}
+
 bool reflects(const scene::Finish& f) { return !(f.reflection_min == Vec3{} && f.reflection_max == Vec3{}); }
 
 std::uint32_t normal_kind(scene::PatternNormal::Kind kind) {
@@ -154,6 +168,44 @@ std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
     return start;
 }
 
+std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media, const Affine3d& medium_from_world) {
+    // Surfaces that share one interior must have the same list: rays leave it by any of them.
+    std::string key;
+    const scene::Medium* const first = media.data();
+    key.append(reinterpret_cast<const char*>(&first), sizeof(first));
+    key.append(reinterpret_cast<const char*>(&medium_from_world), sizeof(medium_from_world));
+    const auto [known, is_new] = media_.try_emplace(std::move(key), kernel::NONE);
+    if (!is_new) return known->second;
+    std::vector<std::uint32_t> densities;  // Where each medium's list of programs is.
+    for (const scene::Medium& medium : media) {
+        std::vector<std::uint32_t> programs;
+        for (const auto& density : medium.densities) programs.push_back(program_of(*density));
+        densities.push_back(static_cast<std::uint32_t>(out_.code.size()));
+        out_.code.insert(out_.code.end(), programs.begin(), programs.end());
+        out_.media_places.push_back(medium.where);
+    }
+    known->second = static_cast<std::uint32_t>(out_.code.size());
+    const auto put = [&](float value) { out_.code.push_back(std::bit_cast<std::uint32_t>(value)); };
+    const auto put_color = [&](Vec3 c) { put(c.x), put(c.y), put(c.z); };
+    out_.code.push_back(static_cast<std::uint32_t>(media.size()));
+    for (const Vec3d& column : {medium_from_world.x, medium_from_world.y, medium_from_world.z, medium_from_world.t})
+        put_color(to_float(column));
+    for (std::size_t i = 0; i < media.size(); ++i) {
+        const scene::Medium& m = media[i];
+        put_color(m.absorption), put_color(m.emission), put_color(m.scattering);
+        put(m.extinction), put(m.eccentricity);
+        out_.code.push_back(static_cast<std::uint32_t>(m.scattering_type));
+        out_.code.push_back(static_cast<std::uint32_t>(m.densities.size()));
+        out_.code.push_back(densities[i]);
+        out_.code.push_back(media_steps(m));
+        out_.code.push_back(static_cast<std::uint32_t>(m.method));
+        out_.code.push_back(m.method == 3 ? static_cast<std::uint32_t>(std::clamp(m.aa_level, 0, 8)) : 0);
+        put(kThresholdShare * m.aa_threshold);
+        out_.code.push_back(static_cast<std::uint32_t>(m.method == 3 ? std::clamp(m.intervals, 1, 20) : 1));
+    }
+    return known->second;
+}
+
 const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material& material) {
     const scene::LayeredTexture& texture = *material.patterned->texture;
     const auto [found, is_new] = compiled_.try_emplace(&texture);
@@ -185,6 +237,27 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
     return layers;
 }
 
+std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surface) {
+    // The open air, and after it the interior of all objects that have none of their own: within glass, povray takes
+    // them for bubbles of air.
+    if (out_.interiors.empty()) out_.interiors.assign(2, {1, 1, 0, {1, 1, 1}});
+    if (surface.interior_number == 0 && surface.interior == scene::Interior{}) return 1;
+    if (const auto known = interiors_.find(surface.interior_number);
+        known != interiors_.end() && surface.interior_number != 0)
+        return known->second;
+    const scene::Interior& interior = surface.interior;
+    kernel::Interior out{};
+    out.ior = interior.ior > 0 ? interior.ior : 1;
+    out.fade_distance = interior.fade_distance > 0 ? interior.fade_distance : 1;
+    out.fade_power = interior.fade_distance > 0 ? interior.fade_power : 0;
+    out.fade_color = to_kernel(interior.fade_color);
+    // Beyond the numbers that rays can keep, objects share the last.
+    if (out_.interiors.size() < kernel::MAX_INTERIORS) out_.interiors.push_back(out);
+    const auto number = static_cast<std::uint32_t>(out_.interiors.size() - 1);
+    interiors_[surface.interior_number] = number;
+    return number;
+}
+
 kernel::Material PatternCompiler::compile_surface(const scene::Material& material) {
     const scene::PatternedSurface& surface = *material.patterned;
     const Layers& layers = layers_of(material);
@@ -195,17 +268,21 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     patterned.texture_from_world_z = to_kernel(to_float(m.z)),
     patterned.texture_from_world_t = to_kernel(to_float(m.t));
     patterned.first_layer = layers.first, patterned.layer_count = layers.count;
-    patterned.ior = surface.interior.ior > 0 ? surface.interior.ior : 1;
-    patterned.fade_distance = surface.interior.fade_distance;
-    patterned.fade_power = surface.interior.fade_distance > 0 ? surface.interior.fade_power : 0;
-    patterned.fade_color = to_kernel(surface.interior.fade_color);
+    patterned.interior = interior_of(surface);
+
+    patterned.medium = kernel::NONE;
+    if (!surface.hollow) {
+        patterned.medium = kernel::MEDIUM_SOLID;
+    } else if (surface.interior.media && !surface.interior.media->empty()) {
+        patterned.medium = media_of(*surface.interior.media, surface.interior_from_world);
+    }
 
     kernel::Material out{};
     out.flags = kernel::MATERIAL_PATTERNED;
     if (layers.transparent) out.flags |= kernel::MATERIAL_TRANSPARENT;
     if (layers.reflective) out.reflectance = {1, 1, 1};  // Only told to material_features; the layers say how much.
     if (layers.transparent) out.transmittance = {1, 1, 1};
-    out.ior = patterned.ior;
+    out.ior = out_.interiors[patterned.interior].ior;
     for (kernel::TextureRef* ref : {&out.diffuse_texture, &out.specular_texture, &out.emission_texture,
                                     &out.opacity_texture, &out.bump_texture, &out.normal_texture})
         ref->texture = kernel::NONE;
@@ -216,6 +293,7 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
 
 void PatternCompiler::compile_sky() {
     for (const scene::Fog& fog : scene_.fogs) out_.fogs.push_back(kernel_fog(fog));
+    out_.atmosphere = scene_.atmosphere.empty() ? kernel::NONE : media_of(scene_.atmosphere, {});
     for (const scene::SkySphere& sky : scene_.sky_spheres) {
         for (const auto& pigment : sky.pigments) {
             kernel::SkyLayer layer{};

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "device/render_scene.h"
 #include "fields/host_fields.h"
@@ -23,27 +25,33 @@ public:
     /// The kernel's material for one whose `patterned` is set. Errors: InputError for more than MAX_LAYERS layers,
     /// pigment maps nested deeper than PROGRAM_SLOTS.
     kernel::Material compile_surface(const scene::Material& material);
-    /// Sky spheres and fogs. Errors as above.
+    /// Sky spheres, fogs and the atmosphere's media. Errors as above.
     void compile_sky();
+    /// A list of normals, into `code`.
+    std::uint32_t normals_of(const scene::Normal& normal);
 
 private:
     struct Layers {
         std::uint32_t first = 0, count = 0;
         bool transparent = false, reflective = false;
     };
+    /// Its interior's number among the RenderScene's.
+    std::uint32_t interior_of(const scene::PatternedSurface& surface);
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment, const scene::Pigment* weight = nullptr);
     /// Where a normal's pattern has warps: the program of its point; else NONE.
     std::uint32_t point_program_of(const scene::PatternNormal& part);
     /// Gives the table of host fields to the RenderScene, once there are any.
     void publish_host();
-    /// A list of normals, into `code`.
-    std::uint32_t normals_of(const scene::Normal& normal);
+    /// A list of media, into `code`; NONE for none.
+    std::uint32_t media_of(const std::vector<scene::Medium>& media, const Affine3d& medium_from_world);
 
     const scene::Scene& scene_;
     RenderScene& out_;
     std::shared_ptr<fields::HostFieldTable> host_;
     std::map<const scene::LayeredTexture*, Layers> compiled_;
+    std::map<std::uint32_t, std::uint32_t> interiors_;  // By the scene's numbers.
+    std::map<std::string, std::uint32_t> media_;        ///< By the list's address and place.
 };
 
 /// FEATURE_* bits that a material of layers needs; 0 for others.

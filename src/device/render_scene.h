@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
 #include "base/vec.h"
+#include "device/camera_rays.h"
 #include "kernel/shared.h"
 
 namespace sundog {
@@ -47,7 +49,15 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
     std::vector<std::string> material_names;      ///< One for each of `materials`.
+    std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
+    std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
+    std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.
+    /// Instead of the kernel's camera; null: the kernel's. Devices that can't ask it say so.
+    std::shared_ptr<const CameraRays> camera_rays;
+    std::uint32_t camera_normal = kernel::NONE;  ///< A list of normals, into `code`, that bends the camera's rays.
+    std::string camera_feature;                  ///< What of the camera needs either of them; for messages.
+    SourceLocation camera_where;
     /// Of which programs in `code` ask what only the host computes; null: none does.
     std::shared_ptr<const kernel::HostFields> host_fields;
     SourceLocation first_host_field;  ///< The first pattern that needs them.
@@ -56,12 +66,35 @@ struct RenderScene : render_scene_detail::Arrays {
 /// Bytes of all arrays.
 std::size_t memory_bytes(const RenderScene& scene);
 
+/// How light that surfaces send each other is found by irradiance caching (Ward, Rubinstein and Clear, SIGGRAPH 1988);
+/// names and meanings are those of POV-Ray's reference, section 3.4.4.3 "Radiosity".
+struct IrradianceCaching {
+    int count = 35;                 ///< Rays for each value; half as many at each further bounce.
+    int recursion_limit = 2;        ///< Bounces.
+    int nearest_count = 5;          ///< Values that must be at hand before no new one is gathered.
+    float error_bound = 1.8F;       ///< Of a value where it is used: its share of error by Ward's estimate.
+    float low_error_factor = 0.5F;  ///< Times error_bound while values are gathered.
+    float minimum_reuse = 0.015F, maximum_reuse = 0.2F;  ///< A value's reach over the distance from the eye.
+    float pretrace_start = 0.08F, pretrace_end = 0.04F;  ///< Sizes of steps over the picture's width.
+    float gray_threshold = 0;                            ///< 0: light keeps its colour; 1: it is grey.
+    float brightness = 1;
+    float max_sample = 0;        ///< Rays that bring more than this are dimmed to it; 0: none.
+    float min_weight = 0.01F;    ///< As FrameParams::min_weight, of rays that gather.
+    bool bent_normals = false;   ///< Patterned normals count.
+    bool through_media = false;  ///< Fog dims and tints what is gathered.
+    bool always_sample = false;  ///< Values are gathered while the picture is made, too.
+    friend bool operator==(const IrradianceCaching&, const IrradianceCaching&) = default;
+};
+
 /// Everything about a picture that is not the RenderScene. `lights` and `instances` are never empty (one zeroed
 /// element stands in; params.light_count says how many lights count).
 struct Frame {
     kernel::FrameParams params{};
     std::vector<kernel::Light> lights;
-    std::vector<kernel::Instance> instances;  ///< As many as the scene's geometries refer to.
+    std::vector<kernel::Instance> instances;        ///< As many as the scene's geometries refer to.
+    std::optional<IrradianceCaching> radiosity;     ///< Set where params.features has FEATURE_RADIOSITY.
+    std::shared_ptr<const CameraRays> camera_rays;  ///< As in RenderScene, unless the caller has a camera of its own.
+    std::uint32_t camera_normal = kernel::NONE;
 };
 
 }  // namespace sundog

@@ -13,8 +13,8 @@ namespace sundog::fields {
 /// 1 to 3.
 std::uint32_t noise_generator_of(const scene::Pattern& pattern);
 
-/// Appends the program of a pigment; what only the host computes goes into `host`. The red of `weight`, if there is one,
-/// is the program's weight. Errors: InputError for pigment maps nested deeper than PROGRAM_SLOTS.
+/// Appends the program of a pigment; what only the host computes goes into `host`. The red of `weight`, if there is
+/// one, is the program's weight. Errors: InputError for pigment maps nested deeper than PROGRAM_SLOTS.
 void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host,
                         const scene::Pigment* weight = nullptr);
 

@@ -27,7 +27,8 @@ KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
 KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
 KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
-KERNEL_CONST uint RAY_ALL = 7u;
+KERNEL_CONST uint RAY_RADIOSITY = 8u;  ///< From a point whose irradiance is gathered.
+KERNEL_CONST uint RAY_ALL = 255u;
 
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
@@ -37,9 +38,11 @@ KERNEL_CONST uint LIGHT_CYLINDER = 3u;  ///< Within a cylinder around Light::axi
 /// Light::flags.
 KERNEL_CONST uint LIGHT_SHADOWS = 1u;
 KERNEL_CONST uint LIGHT_HIGHLIGHTS = 2u;
-KERNEL_CONST uint LIGHT_CIRCULAR = 4u;  ///< An area's grid is bent to a disc.
-KERNEL_CONST uint LIGHT_ORIENT = 8u;    ///< An area turns to face the lit point.
-KERNEL_CONST uint LIGHT_JITTER = 16u;   ///< An area's lights are moved about within their cells.
+KERNEL_CONST uint LIGHT_CIRCULAR = 4u;        ///< An area's grid is bent to a disc.
+KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit point.
+KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
+KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
+KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it.
 
 /// FrameParams::camera_kind. See kernel/cameras/projections.h.
 KERNEL_CONST uint CAMERA_PERSPECTIVE = 0u;
@@ -70,6 +73,13 @@ KERNEL_CONST uint LAYER_PARTS_END = 16u;       ///< The lowest layer of the last
 
 /// Most layers of a texture.
 KERNEL_CONST uint MAX_LAYERS = 8u;
+
+/// Most entries of `interiors`: their numbers have 16 bits.
+KERNEL_CONST uint MAX_INTERIORS = 65536u;
+
+/// Units of PathState::depth that a reflection or refraction counts; passing straight through a texture of layers
+/// counts one, so it is all but free.
+KERNEL_CONST uint DEPTH_UNITS = 256u;
 
 /// Pigment programs: words of the array `code`. An instruction's first word is opcode | target << 8 | source << 16 |
 /// source2 << 24; operands follow, floats by their bits. Targets and sources number points, values or colours, of which
@@ -190,6 +200,9 @@ KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cy
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
 KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
 
+KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
+KERNEL_CONST uint FEATURE_MEDIA = 1u << 22u;     ///< Media; or fog, and something that isn't hollow.
+
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
 KERNEL_CONST uint FEATURES_PLAIN =
@@ -200,6 +213,15 @@ KERNEL_CONST uint MAX_BRANCHES = 16u;
 
 /// Transparent surfaces that a shadow ray passes at most; what lies behind more of them is in shadow.
 KERNEL_CONST uint MAX_SHADOW_SURFACES = 32u;
+
+/// Interiors with media, or solids, that a ray's origin may be inside of at a time; further ones are not noticed.
+KERNEL_CONST uint MAX_INSIDES = 4u;
+/// PatternedMaterial::medium of what is not hollow.
+KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
+/// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
+/// emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of densities, where their
+/// programs are listed, steps, method, aa_level, aa_threshold, intervals. See kernel/atmosphere/media.h.
+KERNEL_CONST uint MEDIUM_WORDS = 19u;
 
 struct Triangle {
     uint p0, p1, p2;  ///< Indices into positions.
@@ -282,8 +304,14 @@ struct Material {
 struct PatternedMaterial {
     vec3 texture_from_world_x, texture_from_world_y, texture_from_world_z, texture_from_world_t;
     uint first_layer, layer_count;  ///< Into `layers`, the top one first.
+    uint interior;                  ///< Into `interiors`; 0: none.
+    uint medium;  ///< What is inside: media (a list of them in `code`), MEDIUM_SOLID, or NONE: what is around it.
+};
+
+/// What is inside an object. Number 0 is the open air.
+struct Interior {
     float ior;
-    float fade_distance, fade_power;  ///< Light dims on its way through the inside; power 0: not at all.
+    float fade_distance, fade_power;  ///< Light dims on its way; power 0: not at all; 1000 and more: exponentially.
     vec3 fade_color;
 };
 
@@ -365,6 +393,8 @@ struct FrameParams {
     float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
                           ///< scenes whose numbers are sRGB-encoded.
     uint seed;
+    uint atmosphere;                ///< Media that are everywhere: a list of them in `code`, or NONE.
+    uint eye_insides[MAX_INSIDES];  ///< What the eye is inside of: PatternedMaterial::medium, NONE in free places.
 };
 
 /// FrameParams::aovs, and Film's planes.

@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "base/vec3d.h"
+#include "scene/medium.h"
 #include "scene/pattern.h"
 
 namespace sundog::scene {
@@ -93,8 +94,8 @@ struct TextureLayer {
     std::shared_ptr<const Pigment> pigment;
     Finish finish;
     std::shared_ptr<const Normal> normal = nullptr;  ///< Null: the surface's own.
-    /// The top layer of a part of a patterned texture (texture_map, checker of textures, …) has the part's share, red of
-    /// this pigment. The parts' layers follow each other, and add up.
+    /// The top layer of a part of a patterned texture (texture_map, checker of textures, …) has the part's share, red
+    /// of this pigment. The parts' layers follow each other, and add up.
     std::shared_ptr<const Pigment> share = nullptr;
     bool first_part = false;  ///< Of the top layer of a patterned texture: no part is over it.
     bool parts_end = false;   ///< Of the lowest layer of a patterned texture.
@@ -107,6 +108,8 @@ struct Interior {
     float caustics = 0;
     float fade_distance = 0, fade_power = 0;
     Vec3 fade_color{0, 0, 0};
+    std::shared_ptr<const std::vector<Medium>> media;  ///< Added up; null: none.
+    bool operator==(const Interior&) const = default;
 };
 
 /// A texture of one or more layers, the first below all others.
@@ -121,6 +124,9 @@ struct PatternedSurface {
     std::shared_ptr<const LayeredTexture> texture;
     Affine3d texture_from_world;  ///< What the object's transforms did to the texture, inverted.
     Interior interior;
+    Affine3d interior_from_world;       ///< Where its media lie.
+    bool hollow = false;                ///< Fog and media around it go on inside; media of its own need that, too.
+    std::uint32_t interior_number = 0;  ///< Surfaces of one object, and objects that share it, have the same; 0: none.
 };
 
 }  // namespace sundog::scene

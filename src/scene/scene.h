@@ -38,6 +38,31 @@ struct OrbitCamera {
     Vec3 origin;
 };
 
+/// Focal blur (POV-Ray's reference, section 3.4.2.3).
+struct FocalBlur {
+    double aperture = 0;  ///< Four times the lens's radius; 0: a pinhole.
+    int least_samples = 0, most_samples = 0;
+    Vec3d focal_point;
+    double confidence = 0.9, variance = 1.0 / 128;  ///< How sure and how exact a pixel is to be.
+    std::shared_ptr<const Pigment> bokeh;           ///< How bright the lens is, over the unit square; null: evenly.
+};
+
+/// A camera whose rays start on triangles (POV-Ray's reference, section 3.4.2.2.3), along their normals.
+struct MeshCamera {
+    int rays_per_pixel = 1;
+    int distribution = 0;     ///< 0 to 3
+    double max_distance = 0;  ///< 0: no end.
+    double offset = 0;        ///< How far off the triangle rays start.
+    bool reversed = false, smooth = false;
+    std::vector<std::shared_ptr<const SolidMesh>> meshes;  ///< In world space.
+};
+
+/// A camera of functions of a picture's x and y, each -0.5 to 0.5 (POV-Ray 3.8).
+struct FunctionCamera {
+    std::shared_ptr<const Function> location, direction;  ///< 3 inputs (x, y, 0), 3 outputs; null: those vectors.
+    Affine3d world_from_camera;
+};
+
 /// A camera placed by vectors, as POV-Ray describes it (reference, section 3.4.1 "Camera"). look_at, angle and sky are
 /// already worked into the vectors. A left- or right-handed system is told by `right`.
 struct ProjectionCamera {
@@ -58,6 +83,10 @@ struct ProjectionCamera {
     double vertical_angle_deg = 0;  ///< spherical
     int cylinder_type = 1;          ///< 1 to 4
     Vec3d sky{0, 1, 0};             ///< Upwards in the scene, whichever way the camera is tilted.
+    FocalBlur blur;
+    std::shared_ptr<const Normal> normal;            ///< Bends the rays; null: not.
+    std::shared_ptr<const MeshCamera> mesh;          ///< Instead of the projection.
+    std::shared_ptr<const FunctionCamera> function;  ///< Instead of the projection.
 };
 
 /// A rectangle (or, `circular`, a disc) of lights around a light's place.
@@ -79,8 +108,10 @@ struct Light {
     bool moving = false;
     Vec3 speed, amplitude;  ///< Used when moving; speed in radians per second.
     bool shadows = true;
-    bool highlights = true;  ///< A shadowless or fill light of POV-Ray's has none.
-    Vec3 point_at;           ///< spotlight, cylinder
+    bool media_attenuation = false;  ///< Fog and the atmosphere's media dim it on its way to what it lights.
+    bool media_interaction = true;   ///< Media scatter it.
+    bool highlights = true;          ///< A shadowless or fill light of POV-Ray's has none.
+    Vec3 point_at;                   ///< spotlight, cylinder
     float radius = 30,
           falloff = 45;   ///< spotlight: half angles of the bright and the outer cone, degrees; cylinder: lengths.
     float tightness = 0;  ///< Exponent of the cosine towards the rim.
@@ -180,6 +211,7 @@ struct Object {
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
     bool double_illuminate = false;   ///< Lit from behind too.
+    bool seen_by_radiosity = true;    ///< no_radiosity
 };
 
 /// Settings that a scene file may fix and the command line may overrule.
@@ -215,6 +247,21 @@ struct SkySphere {
     PigmentColor emission{1, 1, 1, 0, 0};
 };
 
+/// Light that surfaces send each other (POV-Ray's reference, section 3.4.4.3 "Radiosity", whose names and defaults
+/// these are).
+struct Radiosity {
+    SourceLocation where;
+    int count = 35;
+    int recursion_limit = 2;
+    int nearest_count = 5;
+    float error_bound = 1.8F, low_error_factor = 0.5F;
+    float minimum_reuse = 0.015F, maximum_reuse = 0.2F;
+    float pretrace_start = 0.08F, pretrace_end = 0.04F;
+    float gray_threshold = 0, brightness = 1, max_sample = 0, adc_bailout = 0.01F;
+    bool normal = false, media = false, always_sample = false;
+    bool keeps_ambient = false;  ///< Scenes from before version 3.7: `ambient` counts all the same.
+};
+
 /// A whole scene. Value type; importers make it, compile/ reads it.
 struct Scene {
     std::string name;
@@ -229,7 +276,9 @@ struct Scene {
     Vec3 sky{0, 0, 0};               ///< Linear RGB radiance of rays that hit nothing.
     float sky_alpha = 1;             ///< Opacity of the sky in pictures that have alpha.
     std::vector<Fog> fogs;
+    std::vector<Medium> atmosphere;  ///< Media that are everywhere.
     std::vector<SkySphere> sky_spheres;
+    std::optional<Radiosity> radiosity;
     Settings settings;
 };
 

@@ -126,6 +126,60 @@ struct Isosurface {
     bool open = false;                        ///< Without the container's surface.
 };
 
+/// A slice of a Julia set of numbers of four parts (POV-Ray's reference, section 3.4.5.1.7).
+struct JuliaFractal {
+    enum class Function : std::uint8_t {
+        sqr,
+        cube,
+        exp,
+        reciprocal,
+        sin,
+        asin,
+        sinh,
+        asinh,
+        cos,
+        acos,
+        cosh,
+        acosh,
+        tan,
+        atan,
+        tanh,
+        atanh,
+        ln,
+        pwr,
+    };
+    std::array<double, 4> parameter{};
+    bool hypercomplex = false;  ///< Else quaternions.
+    Function function = Function::sqr;
+    std::array<double, 2> exponent{};  ///< pwr's, real and imaginary.
+    int max_iteration = 20;
+    double precision = 20;
+    std::array<double, 4> slice{0, 0, 0, 1};
+    double distance = 0;
+};
+
+/// An egg on the y axis: a sphere around the origin, one around its top, and an arc between.
+struct Ovus {
+    double bottom_radius = 1, top_radius = 1;
+};
+
+/// An arc of radius `inner_radius` turned about the way between two discs (POV-Ray 3.8).
+struct Lemon {
+    Vec3d base, apex{0, 1, 0};
+    double base_radius = 0, apex_radius = 0, inner_radius = 1;
+    bool open = false;
+};
+
+/// x, y and z as functions of u and v, as far as the container goes. A mere surface.
+struct Parametric {
+    std::shared_ptr<const Function> function;     ///< 3 inputs (u, v, 0), 3 outputs.
+    std::array<double, 2> first{}, last{{1, 1}};  ///< u and v.
+    bool in_sphere = false;
+    Vec3d center;  ///< Of a sphere.
+    double radius = 1;
+    Vec3d lower{-1, -1, -1}, upper{1, 1, 1};  ///< Of a box.
+};
+
 struct Solid;
 
 /// Children joined: `combined` keeps inner surfaces (union), `merged` loses them, `common` is the intersection. A
@@ -140,8 +194,8 @@ struct Solid {
     static constexpr std::uint32_t kInherited = 0xffffffffU;
     SourceLocation where;
     std::variant<SolidSphere, SolidBox, SolidCone, HalfSpace, Torus, Polynomial, Superellipsoid, Blob, Lathe,
-                 SurfaceOfRevolution, Prism, SphereSweep, HeightField, Disc, FlatPolygon, Isosurface,
-                 std::shared_ptr<const SolidMesh>, SolidGroup>
+                 SurfaceOfRevolution, Prism, SphereSweep, HeightField, Disc, FlatPolygon, Isosurface, JuliaFractal,
+                 Ovus, Lemon, Parametric, std::shared_ptr<const SolidMesh>, SolidGroup>
         shape;
     Affine3d parent_from_shape;  ///< Groups: applies to all children, after their own.
     bool inverted = false;

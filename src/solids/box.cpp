@@ -32,7 +32,7 @@ public:
             if (t_first > enter.t) enter.t = t_first, enter.part = 2 * axis + first;
             if (t_second < leave.t) leave.t = t_second, leave.part = 2 * axis + (1 - first);
         }
-        if (!(enter.t < leave.t)) return false;
+        if (!(enter.t < leave.t)) return flat_crossing(ray, enter.t, leave.t, range, out);
         return append_interval(enter, leave, range, out);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
@@ -79,6 +79,18 @@ public:
     }
 
 private:
+    /// A box without thickness is a surface, as povray shows it.
+    bool flat_crossing(const Ray& ray, double enter, double leave, Range range, CrossingList& out) const {
+        for (std::uint32_t axis = 0; enter == leave && axis < 3; ++axis) {
+            if (box_.lower[axis] != box_.upper[axis] || ray.direction[axis] == 0) continue;
+            if ((box_.lower[axis] - ray.origin[axis]) / ray.direction[axis] != enter) continue;
+            if (range.contains(enter))
+                out.push_back({enter, 0, 0, 2 * axis + (ray.direction[axis] > 0 ? 0U : 1U), false});
+            break;
+        }
+        return false;
+    }
+
     Bounds3d box_;
 };
 

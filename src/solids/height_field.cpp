@@ -40,15 +40,21 @@ public:
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        return walk_along(ray, range, out, false);
+    }
+    bool first_crossing(const Ray& ray, Range range, CrossingList& out) const override {
+        return walk_along(ray, range, out, true);
+    }
+    bool walk_along(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
         // Over the ground square, above the water: its walls and its bottom are open, and its top is in the air.
         const double margin = 1e-6 * (1 + std::abs(box_.upper.y));
         const Bounds3d column{{0, water_, 0}, {1, box_.upper.y + margin, 1}};
         const Range within = clip(column, ray, {-kInfinity, kInfinity});
         if (!(within.lower < within.upper) || within.upper <= range.lower || within.lower >= range.upper) return false;
-        Walk walk{ray, range, within, out};
+        Walk walk{ray, range, within, out, only_first};
         const auto top = static_cast<std::uint32_t>(levels_.size() - 1);
         visit(top, 0, 0, within, walk);
-        if (walk.below) walk.toggle({within.upper, 0, 0, kNoCell, true, false});
+        if (walk.below && !walk.done) walk.toggle({within.upper, 0, 0, kNoCell, true, false});
         return walk.starts_inside;
     }
     [[nodiscard]] bool inside(Vec3d p) const override {
@@ -73,13 +79,16 @@ private:
         const Ray& ray;
         Range range, within;
         CrossingList& out;
+        bool only_first = false;
+        bool done = false;   ///< Nothing more is asked for.
         bool below = false;  ///< Under the ground, where the walk has come to.
         bool started = false;
         bool starts_inside = false;
         void toggle(const Crossing& c) {
             below = !below;
             if (c.t <= range.lower) starts_inside = below;
-            else if (c.t < range.upper) out.push_back(c);
+            else if (c.t < range.upper) out.push_back(c), done = done || (only_first && c.visible);
+            else done = true;
         }
         /// The walk goes on at t, where the ray is under the ground or not. A difference is a wall at the beginning,
         /// and rounding elsewhere.
@@ -153,6 +162,7 @@ private:
     static double t_at(double o, double d, double place) { return (place - o) / d; }
 
     void visit(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within, Walk& walk) const {
+        if (walk.done) return;
         const std::array<float, 2>& extent = levels_[level].extent[std::size_t{row} * levels_[level].columns + column];
         const double y0 = walk.ray.origin.y + walk.ray.direction.y * within.lower;
         const double y1 = walk.ray.origin.y + walk.ray.direction.y * within.upper;

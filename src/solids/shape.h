@@ -69,6 +69,11 @@ ShapePointer make_shape(const scene::HeightField& field, const SourceLocation& w
 /// `textures` are what images in the function's pigments are taken from.
 ShapePointer make_shape(const scene::Isosurface& isosurface, const SourceLocation& where,
                         std::span<const scene::Texture> textures);
+ShapePointer make_shape(const scene::JuliaFractal& fractal, const SourceLocation& where);
+ShapePointer make_shape(const scene::Ovus& ovus, const SourceLocation& where);
+ShapePointer make_shape(const scene::Lemon& lemon, const SourceLocation& where);
+ShapePointer make_shape(const scene::Parametric& parametric, const SourceLocation& where,
+                        std::span<const scene::Texture> textures);
 ShapePointer make_shape(const scene::Disc& disc, const SourceLocation& where);
 ShapePointer make_shape(const scene::FlatPolygon& polygon, const SourceLocation& where);
 ShapePointer make_shape(const std::shared_ptr<const scene::SolidMesh>& mesh, const SourceLocation& where);

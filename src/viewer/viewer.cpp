@@ -42,6 +42,11 @@ PixelSize first_window_size(const ViewOptions& options, const LoadedScene& loade
             options.height.value_or(static_cast<int>(scene.height))};
 }
 
+/// What the window is called after: the scene's file, or the scene that a raytracer.conf names.
+std::string shown_name(const ViewOptions& options, const LoadedScene& loaded) {
+    return options.scene_file.extension() == ".conf" ? loaded.scene.name : options.scene_file.filename().string();
+}
+
 /// The device opened at the start is handed out first; those chosen in the window later are opened then.
 DeviceOpener device_opener(std::unique_ptr<Device> first, int threads) {
     auto waiting = std::make_shared<std::unique_ptr<Device>>(std::move(first));
@@ -126,8 +131,8 @@ RenderThreadOptions render_options(std::unique_ptr<Device> device, int threads, 
 Viewer::Viewer(const ViewOptions& options, std::shared_ptr<const LoadedScene> scene, std::unique_ptr<Device> device)
     : options_(options),
       scene_(std::move(scene)),
-      window_(options.scene_file.filename().string() + " - Sundog", first_window_size(options, *scene_),
-              options.fullscreen),
+      window_(shown_name(options, *scene_) + " - Sundog", first_window_size(options, *scene_),
+              options.fullscreen || scene_->scene.settings.fullscreen.value_or(false)),
       imgui_(window_.sdl_window(), window_.sdl_renderer(), kFont_px),
       reloader_(options.scene_file, scene_),
       device_in_use_(device->info().kind),
@@ -137,7 +142,7 @@ Viewer::Viewer(const ViewOptions& options, std::shared_ptr<const LoadedScene> sc
     set_style(kFont_px);
     controls_.device = device_in_use_;
     controls_.max_depth = options.max_depth;
-    status_.scene_name = options.scene_file.filename().string();
+    status_.scene_name = shown_name(options, *scene_);
     use_scene(scene_);
 }
 
@@ -227,6 +232,7 @@ void Viewer::submit() {
     frame.max_depth = controls_.max_depth;
     frame.min_weight = options_.min_weight;
     frame.shadows = controls_.shadows;
+    frame.radiosity = false;  // Gathering it takes far longer than a frame may.
     if (const auto& own = scene_->scene.projection_camera) {
         using Kind = scene::ProjectionCamera::Kind;
         camera_.follow(camera_at(*own, aspect), own->kind == Kind::orthographic);

@@ -36,11 +36,14 @@ SdlVideo::SdlVideo() {
 SdlVideo::~SdlVideo() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
 
 Window::Window(const std::string& title, PixelSize size, bool fullscreen) {
-    const PixelSize fitting = cut_to_screen(size);
+    windowed_size_ = cut_to_screen(size);
+    // Where no window manager runs, nobody enlarges a window that is to fill the screen: it is made as large from the
+    // start.
+    SDL_Rect place{SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, windowed_size_.width, windowed_size_.height};
+    if (fullscreen) SDL_GetDisplayBounds(0, &place);
     const Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI |
                          (fullscreen ? static_cast<Uint32>(SDL_WINDOW_FULLSCREEN_DESKTOP) : 0U);
-    window_.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, fitting.width,
-                                   fitting.height, flags));
+    window_.reset(SDL_CreateWindow(title.c_str(), place.x, place.y, place.w, place.h, flags));
     if (!window_) fail("no window can be opened");
     SDL_SetWindowMinimumSize(window_.get(), 160, 120);
     renderer_.reset(SDL_CreateRenderer(window_.get(), -1, SDL_RENDERER_PRESENTVSYNC));
@@ -69,7 +72,11 @@ double Window::refresh_hz() const {
 
 void Window::toggle_fullscreen() {
     const bool is_full = (SDL_GetWindowFlags(window_.get()) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+    if (!is_full) windowed_size_ = size();
     SDL_SetWindowFullscreen(window_.get(), is_full ? 0 : static_cast<Uint32>(SDL_WINDOW_FULLSCREEN_DESKTOP));
+    if (!is_full) return;
+    SDL_SetWindowSize(window_.get(), windowed_size_.width, windowed_size_.height);
+    SDL_SetWindowPosition(window_.get(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED);
 }
 
 void Window::set_picture(const Picture& picture) {

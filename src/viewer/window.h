@@ -58,6 +58,7 @@ private:
     std::unique_ptr<SDL_Renderer, RendererDeleter> renderer_;
     SdlTexture picture_;
     PixelSize picture_size_;
+    PixelSize windowed_size_;  ///< What it has when it does not fill the screen.
 };
 
 }  // namespace sundog::viewer

@@ -56,10 +56,12 @@ protected:
 
     void write(const char* name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
     // Opens the window and waits for its first picture.
-    void open(const std::string& motion) {
+    void open(const std::string& motion, const std::vector<std::string>& what = {"walls.scene"}) {
         write("walls.scene", kScene + motion);
+        std::vector<std::string> command{SUNDOG_PROGRAM, "view", "--device", "cpu"};
+        command.insert(command.end(), what.begin(), what.end());
         window_.emplace(
-            std::vector<std::string>{SUNDOG_PROGRAM, "view", "walls.scene", "--device", "cpu"},
+            command,
             std::vector<std::string>{screen_->display_variable(), "SDL_RENDER_DRIVER=software", "SDL_VIDEODRIVER=x11"},
             folder_);
         ASSERT_TRUE(becomes([&] { return colors(picture()) > 2; })) << "no picture";
@@ -161,6 +163,22 @@ TEST_F(WindowTest, FollowsEditsAndShowsTheirErrors) {
         const std::uint32_t left = picture().at(10, 70);
         return (left & 0xff) > 2 * (left >> 16);  // blue now, where it was
     })) << "the edit was not shown";
+}
+
+// Catches settings of raytracer.conf that the window doesn't heed: its size, whether it fills the screen, the moment.
+TEST_F(WindowTest, HeedsTheConfiguration) {
+    const std::string settings = "defaultScene = walls.scene\nwidth = 320\nheight = 240\nfreeze = 0.25\n";
+    // A corner of the screen: the sky where the window fills it, else black.
+    const auto corner = [&] { return screen_->look(2, kHeight - 4, 4, kHeight - 2).at(0, 0); };
+    write("raytracer.conf", settings);
+    open(kTurning, {});
+    settled();
+    EXPECT_EQ(corner(), 0U);
+    press("Escape");
+    ASSERT_EQ(window_->wait(kPatience_s), 0);
+    write("raytracer.conf", settings + "fullscreen = true\n");
+    open(kTurning, {});
+    EXPECT_TRUE(becomes([&] { return corner() != 0; })) << "it doesn't fill the screen";
 }
 
 // Catches a pick that shows nothing.

@@ -286,7 +286,8 @@ FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
         layer.reflection_max = abs(vector_of(u, 3u));
         layer.reflection_falloff = u.v[13];
         layer.reflection_metallic = abs(u.v[9]);
-        put(r, 0u, layer_reflectance(layer, 1.5f, abs(p), abs(a.v[3]), a.v[4] > real(0.0f)));
+        put(r, 0u,
+            layer_reflectance(layer, select(a.v[4] > real(0.0f), real(1.5f), real(1.0f / 1.5f)), abs(p), abs(a.v[3])));
         put(r, 3u, metallic_tint(abs(p), real(0.75f), abs(a.v[3])));
     }
     if (function == CALL_NORMAL) put(r, 0u, normal_offset(SCENE_ kind, free_point(p), 2u, u.v[13], u.v[14]));

@@ -54,6 +54,19 @@ TEST_F(Analytic, LampAtTheEyeFallsOffByCosineAlone) {
     }
 }
 
+// A lamp that lies in a ceiling lights the floor below it. Catches shadow rays that end behind the lamp, in the
+// ceiling, because they start a little off the floor.
+TEST_F(Analytic, ALampInASurfaceIsNotInItsShadow) {
+    scene::Scene s = empty_scene();
+    const scene::Index m = add_material(s, matt({1, 1, 1}));
+    add_quad(s, {-90, -10, -27}, {90, -10, -27}, {90, 70, -27}, {-90, 70, -27}, m);
+    add_quad(s, {-90, -10, 27.9F}, {-90, 70, 27.9F}, {90, 70, 27.9F}, {90, -10, 27.9F}, m);
+    add_light(s, scene::Light::Kind::lamp, {3.1F, 20, 27.9F});
+    const Picture picture = render(s, size(64, 48));
+    for (int y = 40; y < 48; ++y)
+        for (int x = 0; x < 64; ++x) EXPECT_GT(picture.film.mean(x, y).x, 0.3F) << x << ", " << y;
+}
+
 // Two facing mirrors, own colours a (first, third, …) and b: after n bounces the sum is that of the classic chain,
 // c = sum_j c_j R_j prod_{i<j} r_i with R_j = 1 - r_j for j < n and R_n = 1. With r = 1/2 both and depth 3:
 // a/2 + b/4 + a/8 + b/8. Catches a chain that darkens at its limit, or counts one bounce more or less.

@@ -35,6 +35,7 @@ void leave_only_the_sky(scene::Scene& scene) {
         texture = replacement;
     }
     scene.lights.clear();
+    scene.radiosity.reset();
     scene.ambient = {0, 0, 0};
     scene.sky = {1, 1, 1};
 }

@@ -253,7 +253,11 @@ private:
         options.height = settings_.height;
         // Reference 3.2.8.3
         if (settings_.quality < 4) options.shadows = false;
-        if (settings_.quality < 8) options.max_depth = 0;
+        if (settings_.quality < 8) {
+            options.max_depth = 0;
+            options.min_weight = 1e6F;  // Not straight on either.
+        }
+        options.radiosity = settings_.quality >= 9;
         return options;
     }
 

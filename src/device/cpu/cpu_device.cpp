@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstring>
 #include <fstream>
 #include <string>
 
 #include "base/diagnostics.h"
 #include "device/cpu/embree_scene.h"
+#include "device/cpu/radiosity.h"
 #include "device/cpu/tile_kernel.h"
 
 namespace sundog {
@@ -52,6 +54,7 @@ public:
         plain_kernel_ = lanes_ == 16  ? cpu::render_plain_tile_16
                         : lanes_ == 8 ? cpu::render_plain_tile_8
                                       : cpu::render_plain_tile_4;
+        rays_ = lanes_ == 16 ? cpu::trace_rays_16 : lanes_ == 8 ? cpu::trace_rays_8 : cpu::trace_rays_4;
         const int threads = arena_.max_concurrency();
         device_.reset(rtcNewDevice(("threads=" + std::to_string(threads) + ",frequency_level=simd512").c_str()));
         if (!device_) throw DeviceError("Embree can't start on this processor");
@@ -68,6 +71,7 @@ public:
 
     void load(std::shared_ptr<const RenderScene> scene) override {
         arena_.execute([&] {
+            radiosity_.reset();
             embree_.reset();
             scene_ = std::move(scene);
             embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
@@ -81,6 +85,7 @@ public:
         const auto tiles_to = [](int pixel) { return (pixel + kTileSide - 1) / kTileSide; };
         arena_.execute([&] {
             embree_->update(frame);
+            if (!prepare_radiosity(frame, stop, totals)) return;
             const tbb::blocked_range2d<int> tiles(tiles_before(r.y0), tiles_to(r.y1), 1, tiles_before(r.x0),
                                                   tiles_to(r.x1), 1);
             tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& range) {
@@ -102,6 +107,7 @@ public:
         Totals totals;
         arena_.execute([&] {
             embree_->update(frame);
+            if (!prepare_radiosity(frame, stop, totals)) return;
             tbb::parallel_for(std::size_t{0}, regions.size(),
                               [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
         });
@@ -115,6 +121,41 @@ private:
         std::atomic<bool> complete{true};
     };
 
+    /// The irradiance of one frame, kept for the further works on its picture.
+    struct PreparedRadiosity {
+        Frame frame;
+        std::unique_ptr<cpu::Radiosity> radiosity;
+    };
+
+    /// True if two frames' surfaces get the same light from each other and their pictures see the same of them.
+    static bool same_light(const Frame& a, const Frame& b) {
+        kernel::FrameParams p = a.params;
+        p.aovs = b.params.aovs;
+        const auto same_bytes = [](const auto& x, const auto& y) {
+            return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
+        };
+        return std::memcmp(&p, &b.params, sizeof p) == 0 && same_bytes(a.lights, b.lights) &&
+               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.camera_rays == b.camera_rays;
+    }
+
+    /// Gathers what the frame needs, if it hasn't been; false if it was stopped.
+    bool prepare_radiosity(const Frame& frame, const StopFlag& stop, Totals& totals) {
+        if ((frame.params.features & kernel::FEATURE_RADIOSITY) == 0) return true;
+        if (radiosity_ && same_light(radiosity_->frame, frame)) return true;
+        radiosity_ = std::make_unique<PreparedRadiosity>(PreparedRadiosity{frame, nullptr});
+        const Frame& kept = radiosity_->frame;
+        radiosity_->radiosity =
+            std::make_unique<cpu::Radiosity>(kept, cpu::view_of(*scene_, kept, embree_->handle()), rays_);
+        if (!radiosity_->radiosity->prepare(stop)) {
+            radiosity_.reset();
+            totals.complete = false;
+            return false;
+        }
+        totals.rays += radiosity_->radiosity->rays().rays;
+        totals.shadow_rays += radiosity_->radiosity->rays().shadow_rays;
+        return true;
+    }
+
     void render_tile(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
                      const StopFlag& stop, Totals& totals) const {
         if (stop.requested()) {
@@ -123,7 +164,8 @@ private:
         }
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
-            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film, work.wanted});
+            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
+             radiosity_ ? &radiosity_->radiosity->light() : nullptr});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -137,11 +179,13 @@ private:
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
     cpu::TileKernel plain_kernel_ = nullptr;
+    cpu::RayKernel rays_ = nullptr;
     tbb::task_arena arena_;
     std::atomic<std::int64_t> bytes_{0};  // outlives the Embree objects that count themselves off
     embree::Device device_;
     std::shared_ptr<const RenderScene> scene_;
     std::unique_ptr<cpu::EmbreeScene> embree_;
+    std::unique_ptr<PreparedRadiosity> radiosity_;
 };
 
 }  // namespace

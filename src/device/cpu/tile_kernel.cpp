@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "device/cpu/embree.h"
+#include "device/cpu/ray_batch.h"
 #include "kernel/rays.h"
 #include "kernel/shapes/all_planes.h"
 
@@ -95,19 +96,10 @@ namespace {
 
 using namespace kernel;
 
-SceneView view_of(const TileWork& work) {
-    SceneView view;
-    view.frame = work.frame.params;
-#define KERNEL_ARRAYS_SCENE_ONLY
-#define KERNEL_ARRAY(type, name, binding) view.name = work.scene.name.data();
-#include "kernel/arrays.h"
-#undef KERNEL_ARRAY
-#undef KERNEL_ARRAYS_SCENE_ONLY
-    view.lights = work.frame.lights.data();
-    view.instances = work.frame.instances.data();
-    view.traversal = work.traversal;
-    view.host_fields = work.scene.host_fields.get();
-    return view;
+/// One copy of the integrator for pixels and for rays that gather light.
+[[gnu::noinline]] real3 radiance_along(const SceneView& scene, const Ray& ray, mask alive, RayCounts& counts,
+                                       FirstHit& first) {
+    return whitted_radiance(scene, ray, alive, counts, first);
 }
 
 /// Pixel coordinates of a block's lanes, row by row.
@@ -136,6 +128,11 @@ struct BlockResult {
 /// A block's sums in memory, lane by lane: picking lanes out of registers one at a time is slow.
 struct StoredLanes {
     alignas(64) std::array<float, kLanes> r{}, g{}, b{};
+};
+
+/// A packet of rays in memory, likewise.
+struct StoredRays {
+    alignas(64) std::array<float, kLanes> origin_x{}, origin_y{}, origin_z{}, x{}, y{}, z{}, t_max{};
 };
 
 /// Calls visit(lane, place in the film) for those pixels of the block at (x0, y0) that the work may write.
@@ -173,20 +170,92 @@ real3 sums_so_far(int x0, int y0, const TileWork& work) {
     return real3(real(lanes_of(stored.r.data())), real(lanes_of(stored.g.data())), real(lanes_of(stored.b.data())));
 }
 
+/// Bends rays by the camera's normals, which lie in the picture: x and y from -0.5 to 0.5.
+[[gnu::noinline]] void bend_rays(const SceneView& view, std::uint32_t normals, real x, real y, Ray& ray) {
+    PatternPoint at = free_point(real3(x - 0.5F, 0.5F - y, real(0.0F)));
+    at.normal = ray.direction;
+    ray.direction = perturbed_normal(view, normals, at, vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1));
+}
+
+/// The rays of CameraRays for the lanes of `asked`, and in which of them there is one.
+mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPixels& pixels, CameraRays::Place place,
+               mask asked, Ray& ray) {
+    const vint lanes = lane_ints(asked);
+    vuint made{};
+    ray.origin = real3(real(0.0F));
+    ray.direction = real3(real(0.0F), real(0.0F), real(1.0F));
+    ray.t_min = real(0.0F);
+    ray.t_max = real(0.0F);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        if (lanes[lane] == 0) continue;
+        place.x = static_cast<std::uint32_t>(pixels.x[lane]), place.y = static_cast<std::uint32_t>(pixels.y[lane]);
+        const std::optional<CameraRays::Ray> one = camera.ray(frame, place);
+        if (!one) continue;
+        made[lane] = ~0U;
+        ray.origin.x.v[lane] = one->origin.x;
+        ray.origin.y.v[lane] = one->origin.y;
+        ray.origin.z.v[lane] = one->origin.z;
+        ray.direction.x.v[lane] = one->direction.x;
+        ray.direction.y.v[lane] = one->direction.y;
+        ray.direction.z.v[lane] = one->direction.z;
+        ray.t_max.v[lane] = one->reach;
+    }
+    return word(made) != word(0U);
+}
+
+/// One sample of a block's pixels: one ray of the kernel's camera, or the mean of as many of CameraRays as it takes.
+[[gnu::always_inline]] inline real3 sample_radiance(const SceneView& view, const Frame& frame,
+                                                    const BlockPixels& pixels, vec2 offset, std::uint32_t sample,
+                                                    mask in_image, RayCounts& counts, FirstHit& first) {
+    const CameraRays* const camera = frame.camera_rays.get();
+    const std::uint32_t most = camera != nullptr ? camera->most_rays() : 1;
+    const std::uint32_t least = camera != nullptr ? std::max(camera->least_rays(), 2U) : 1;
+    const real x =
+        (real(__builtin_convertvector(pixels.x, vfloat)) + offset.x) * (1.0F / static_cast<float>(view.frame.width));
+    const real y =
+        (real(__builtin_convertvector(pixels.y, vfloat)) + offset.y) * (1.0F / static_cast<float>(view.frame.height));
+    const real3 black(real(0.0F));
+    real3 sum = black;
+    real3 squares = black;
+    real count(0.0F);
+    mask going = in_image;
+    for (std::uint32_t k = 0; k < most; ++k) {
+        Ray ray;
+        mask shown;
+        if (camera != nullptr) {
+            shown = host_rays(*camera, view.frame, pixels, {0, 0, offset.x, offset.y, sample, k}, going, ray);
+        } else {
+            ray = camera_ray(view.frame, x, y);
+            shown = mask_and(in_image, ray.t_max > ray.t_min);
+        }
+        if (frame.camera_normal != NONE) bend_rays(view, frame.camera_normal, x, y, ray);
+        FirstHit hit;
+        const real3 radiance = radiance_along(view, ray, shown, counts, hit);
+        if (k == 0) first = hit;
+        if (camera == nullptr) return radiance;
+        sum = select(shown, sum + radiance, sum);
+        squares = select(shown, squares + radiance * radiance, squares);
+        count = select(shown, count + 1.0F, count);
+        const std::uint32_t n = k + 1;
+        if (n < least || n == most) continue;
+        const auto rays = static_cast<float>(n);
+        const real3 variance = (squares - sum * sum * real(1.0F / rays)) * real(1.0F / (rays - 1.0F));
+        const real enough(camera->enough_variance(n));
+        going = mask_and(going, max(max(variance.x, variance.y), variance.z) > enough);
+        if (!any_lane(going)) break;
+    }
+    return sum * (1.0F / max(count, real(1.0F)));
+}
+
 BlockResult trace_block(const SceneView& view, int x0, int y0, mask in_image, const TileWork& work) {
     const BlockPixels pixels(x0, y0);
     BlockResult block;
     if (work.first_sample > 0) block.radiance = sums_so_far(x0, y0, work);
-    const real x(__builtin_convertvector(pixels.x, vfloat));
-    const real y(__builtin_convertvector(pixels.y, vfloat));
-    const float per_width = 1.0F / static_cast<float>(view.frame.width);
-    const float per_height = 1.0F / static_cast<float>(view.frame.height);
     for (std::uint32_t i = 0; i < work.sample_count; ++i) {
-        const vec2 offset = pixel_sample(work.first_sample + i);
-        const Ray ray = camera_ray(view.frame, (x + offset.x) * per_width, (y + offset.y) * per_height);
+        const std::uint32_t sample = work.first_sample + i;
         FirstHit first;
-        const mask shown = mask_and(in_image, ray.t_max > ray.t_min);
-        block.radiance = block.radiance + whitted_radiance(view, ray, shown, block.counts, first);
+        block.radiance = block.radiance + sample_radiance(view, work.frame, pixels, pixel_sample(sample), sample,
+                                                          in_image, block.counts, first);
         if (i == 0) block.first = first;
     }
     return block;
@@ -227,7 +296,8 @@ void store_block(int x0, int y0, const BlockResult& block, const TileWork& work)
 }  // namespace
 
 TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
-    const SceneView view = view_of(work);
+    SceneView view = view_of(work.scene, work.frame, work.traversal);
+    view.indirect = work.indirect;
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);
     RayCounts counts{word(0U), word(0U)};
@@ -250,5 +320,39 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     }
     return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
 }
+
+#ifdef SUNDOG_RAY_KERNEL
+BatchRays SUNDOG_RAY_KERNEL(const SceneView& scene, std::span<const BatchRay> rays, std::span<BatchAnswer> answers) {
+    RayCounts counts{word(0U), word(0U)};
+    constexpr auto kPacket = static_cast<std::size_t>(kLanes);
+    for (std::size_t begin = 0; begin < rays.size(); begin += kPacket) {
+        const std::size_t size = std::min(kPacket, rays.size() - begin);
+        StoredRays in;
+        for (std::size_t lane = 0; lane < kPacket; ++lane) {
+            const BatchRay& ray = rays[begin + std::min(lane, size - 1)];
+            in.origin_x[lane] = ray.origin.x, in.origin_y[lane] = ray.origin.y, in.origin_z[lane] = ray.origin.z;
+            in.x[lane] = ray.direction.x, in.y[lane] = ray.direction.y, in.z[lane] = ray.direction.z;
+            in.t_max[lane] = lane < size ? ray.t_max : -1.0F;
+        }
+        Ray ray;
+        ray.origin = real3(real(lanes_of(in.origin_x.data())), real(lanes_of(in.origin_y.data())),
+                           real(lanes_of(in.origin_z.data())));
+        ray.direction = real3(real(lanes_of(in.x.data())), real(lanes_of(in.y.data())), real(lanes_of(in.z.data())));
+        ray.t_min = real(0.0F);
+        ray.t_max = real(lanes_of(in.t_max.data()));
+        FirstHit first;
+        const real3 radiance = radiance_along(scene, ray, ray.t_max > ray.t_min, counts, first);
+        StoredLanes out;
+        alignas(64) std::array<float, kLanes> distance{};
+        lanes_of(out.r.data()) = radiance.x.v;
+        lanes_of(out.g.data()) = radiance.y.v;
+        lanes_of(out.b.data()) = radiance.z.v;
+        lanes_of(distance.data()) = first.t.v;
+        for (std::size_t lane = 0; lane < size; ++lane)
+            answers[begin + lane] = {{out.r[lane], out.g[lane], out.b[lane]}, distance[lane]};
+    }
+    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+}
+#endif
 
 }  // namespace sundog::cpu

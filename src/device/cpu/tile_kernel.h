@@ -7,6 +7,7 @@
 
 #include "device/film.h"
 #include "device/render_scene.h"
+#include "kernel/compat/cpp.h"
 
 namespace sundog::cpu {
 
@@ -18,13 +19,17 @@ struct TileWork {
     PixelRect region;       ///< Pixels to write.
     std::uint32_t first_sample, sample_count;
     Film& film;
-    std::span<const std::uint8_t> wanted{};  ///< As in RenderWork.
+    std::span<const std::uint8_t> wanted{};           ///< As in RenderWork.
+    const kernel::IndirectLight* indirect = nullptr;  ///< Where the frame has FEATURE_RADIOSITY.
 };
 
 /// Rays that a tile took.
 struct TileRays {
     std::uint64_t rays = 0, shadow_rays = 0;
 };
+
+/// The kernel's view of a scene and a frame, which outlive it.
+kernel::SceneView view_of(const RenderScene& scene, const Frame& frame, const void* traversal);
 
 using TileKernel = TileRays (*)(const TileWork& work);
 

@@ -64,11 +64,15 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
     };
     for (const PlacedSolid& solid : scene.solids)
         add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
-    if (scene.host_fields) {
-        const SourceLocation& where = scene.first_host_field;
+    const auto add_feature = [&](const SourceLocation& where, const std::string& what) {
         const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
-        sentences.push_back(place + "a pattern or a warp that only the CPU draws; use --device cpu");
-    }
+        sentences.push_back(place + what + "; use --device cpu");
+    };
+    if (scene.radiosity) add_feature(*scene.radiosity, "radiosity is what only the CPU computes");
+    if (!scene.camera_feature.empty())
+        add_feature(scene.camera_where, "the camera has " + scene.camera_feature + ", which only the CPU draws");
+    if (scene.host_fields) add_feature(scene.first_host_field, "a pattern or a warp that only the CPU draws");
+    if (!scene.media_places.empty()) add_feature(scene.media_places.front(), "media are drawn by the CPU only");
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;
 }

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "import/pov/build_pigment.h"
+#include "import/pov/build_radiosity.h"
 #include "import/pov/build_transform.h"
 
 namespace sundog::pov {
@@ -109,8 +110,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
     ItemReader items(context, block);
     scene::Scene& scene = context.scene;
     while (!items.at_end()) {
-        if (items.take_block(Keyword::radiosity)) {
-            context.warn_once("radiosity", items.taken_where(), "radiosity isn't drawn yet");
+        if (const auto radiosity = items.take_block(Keyword::radiosity)) {
+            scene.radiosity = read_radiosity(context, *radiosity, scene.radiosity.value_or(scene::Radiosity{}));
         } else if (items.take_block(Keyword::photons)) {
             context.warn_once("photons", items.taken_where(), "photons aren't drawn yet");
         } else if (items.take_block(Keyword::subsurface)) {
@@ -122,7 +123,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
         } else if (items.take(Keyword::adc_bailout)) {
             scene.settings.min_weight = static_cast<float>(items.number("a weight"));
         } else if (items.take(Keyword::max_trace_level)) {
-            scene.settings.max_depth = items.integer("a level", 1, 256);
+            // The eye's ray counts, too.
+            scene.settings.max_depth = items.integer("a level", 1, 256) - 1;
         } else if (items.take(Keyword::ambient_light)) {
             scene.ambient = rgb_of(items.color("a color"));
         } else if (items.take(Keyword::noise_generator)) {

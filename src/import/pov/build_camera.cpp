@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "import/pov/build_host_camera.h"
+#include "import/pov/build_normal.h"
+#include "import/pov/build_pigment.h"
 #include "import/pov/build_transform.h"
 
 namespace sundog::pov {
@@ -14,13 +17,14 @@ namespace {
 using Kind = scene::ProjectionCamera::Kind;
 
 constexpr std::array kValid{
-    Keyword::perspective,  Keyword::orthographic, Keyword::fisheye,    Keyword::ultra_wide_angle,
-    Keyword::omnimax,      Keyword::panoramic,    Keyword::cylinder,   Keyword::spherical,
-    Keyword::location,     Keyword::look_at,      Keyword::right,      Keyword::up,
-    Keyword::direction,    Keyword::sky,          Keyword::angle,      Keyword::aperture,
-    Keyword::blur_samples, Keyword::focal_point,  Keyword::confidence, Keyword::variance,
-    Keyword::normal,       Keyword::translate,    Keyword::rotate,     Keyword::scale,
-    Keyword::matrix,       Keyword::transform};
+    Keyword::perspective,  Keyword::orthographic, Keyword::fisheye,     Keyword::ultra_wide_angle,
+    Keyword::omnimax,      Keyword::panoramic,    Keyword::cylinder,    Keyword::spherical,
+    Keyword::location,     Keyword::look_at,      Keyword::right,       Keyword::up,
+    Keyword::direction,    Keyword::sky,          Keyword::angle,       Keyword::aperture,
+    Keyword::blur_samples, Keyword::focal_point,  Keyword::confidence,  Keyword::variance,
+    Keyword::bokeh,        Keyword::normal,       Keyword::mesh_camera, Keyword::user_defined,
+    Keyword::translate,    Keyword::rotate,       Keyword::scale,       Keyword::matrix,
+    Keyword::transform};
 
 std::optional<Kind> kind_of(Keyword keyword) {
     switch (keyword) {
@@ -47,35 +51,65 @@ std::optional<Kind> kind_of(Keyword keyword) {
 
 class CameraReader {
 public:
-    CameraReader(BuildContext& context, const Block& block, CameraParts start)
-        : context_(context), items_(context, block), parts_(std::move(start)) {
-        parts_.camera.where = context.location(block.where);
+    CameraReader(ObjectReader& objects, const Block& block, CameraParts start)
+        : objects_(objects), context_(objects.context()), items_(context_, block), parts_(std::move(start)) {
+        parts_.camera.where = context_.location(block.where);
     }
 
     CameraParts read() {
         while (!items_.at_end())
-            if (!read_transform(items_, moved_) && !read_block() && !read_kind() && !read_vector() && !read_blur())
+            if (!read_transform(items_, moved_) && !read_block() && !read_kind() && !read_function() &&
+                !read_vector() && !read_blur())
                 items_.unexpected(kValid);
         apply_angle();
         apply_look_at();
         move();
+        finish_mesh();
         return std::move(parts_);
     }
 
 private:
     bool read_block() {
         if (const auto base = items_.take_block(Keyword::camera)) {
-            parts_ = read_camera(context_, *base, std::move(parts_));
-        } else if (items_.take_block(Keyword::normal)) {
-            context_.warn_once("camera normal", items_.taken_where(), "a camera's normal { } isn't drawn yet");
-        } else if (items_.take_block(Keyword::mesh_camera) || items_.take_block(Keyword::user_defined)) {
-            context_.warn_once("mesh_camera", items_.taken_where(),
-                               "mesh_camera and user_defined cameras aren't drawn yet",
-                               "a perspective camera stands in for it");
-        } else if (!items_.take_block(Keyword::bokeh)) {
+            parts_ = read_camera(objects_, *base, std::move(parts_));
+            sized_ = true;  // its window is worked out already
+        } else if (const auto normal = items_.take_block(Keyword::normal)) {
+            parts_.camera.normal = read_normal(context_, *normal, parts_.camera.normal);
+        } else if (const auto mesh = items_.take_block(Keyword::mesh_camera)) {
+            parts_.camera.mesh = std::make_shared<const scene::MeshCamera>(read_mesh_camera(objects_, *mesh));
+        } else if (const auto bokeh = items_.take_block(Keyword::bokeh)) {
+            ItemReader inner(context_, *bokeh);
+            const auto pigment = inner.take_block(Keyword::pigment);
+            if (!pigment) inner.unexpected("pigment { }");
+            parts_.camera.blur.bokeh =
+                std::make_shared<const scene::Pigment>(read_pigment(context_, *pigment, scene::Pigment{}));
+        } else {
             return false;
         }
         return true;
+    }
+
+    /// user_defined, and functions of its `location { }` and `direction { }`.
+    bool read_function() {
+        if (items_.take(Keyword::user_defined)) {
+            change_function([](scene::FunctionCamera&) {});
+        } else if (const auto location = items_.take_block(Keyword::location)) {
+            const auto functions = read_camera_functions(context_, *location);
+            change_function([&](scene::FunctionCamera& camera) { camera.location = functions; });
+        } else if (const auto direction = items_.take_block(Keyword::direction)) {
+            const auto functions = read_camera_functions(context_, *direction);
+            change_function([&](scene::FunctionCamera& camera) { camera.direction = functions; });
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    template <class Change>
+    void change_function(const Change& change) {
+        scene::FunctionCamera camera = parts_.camera.function ? *parts_.camera.function : scene::FunctionCamera{};
+        change(camera);
+        parts_.camera.function = std::make_shared<const scene::FunctionCamera>(std::move(camera));
     }
 
     bool read_kind() {
@@ -91,7 +125,7 @@ private:
     bool read_vector() {
         scene::ProjectionCamera& camera = parts_.camera;
         if (items_.take(Keyword::location)) {
-            camera.location = items_.vector("the place of the camera");
+            camera.location = items_.vector("the place of the camera"), location_given_ = camera.location;
         } else if (items_.take(Keyword::look_at)) {
             look_at_ = items_.vector("the place that the camera looks at");
         } else if (items_.take(Keyword::right)) {
@@ -99,7 +133,7 @@ private:
         } else if (items_.take(Keyword::up)) {
             camera.up = items_.vector("a vector upwards"), sized_ = true;
         } else if (items_.take(Keyword::direction)) {
-            camera.direction = items_.vector("a direction");
+            camera.direction = items_.vector("a direction"), direction_given_ = camera.direction;
         } else if (items_.take(Keyword::sky)) {
             camera.sky = items_.vector("a direction upwards");
         } else if (items_.take(Keyword::angle)) {
@@ -122,17 +156,24 @@ private:
     }
 
     bool read_blur() {
+        scene::FocalBlur& blur = parts_.camera.blur;
         if (items_.take(Keyword::aperture)) {
-            if (items_.number("an aperture") > 0)
-                context_.warn_once("focal blur", items_.taken_where(), "focal blur isn't drawn yet",
-                                   "everything is in focus");
+            blur.aperture = std::max(items_.number("an aperture"), 0.0);
         } else if (items_.take(Keyword::blur_samples)) {
-            items_.number("a number of samples");
-            items_.maybe_number();
+            constexpr int kMostSamples = 1'000'000;
+            const int first = items_.integer("a number of samples", 0, kMostSamples);
+            const bool both = items_.number_follows();
+            blur.most_samples = both ? items_.integer("a number of samples", 0, kMostSamples) : first;
+            blur.least_samples = both ? std::max(first, 1) : blur.most_samples < 7 ? 4 : 7;
+            blur.least_samples = std::min(blur.least_samples, blur.most_samples);
         } else if (items_.take(Keyword::focal_point)) {
-            items_.vector("a point in focus");
-        } else if (items_.take(Keyword::confidence) || items_.take(Keyword::variance)) {
-            items_.number("a number");
+            blur.focal_point = items_.vector("a point in focus");
+        } else if (items_.take(Keyword::confidence)) {
+            const double confidence = items_.number("a number from 0 to less than 1");
+            if (confidence > 0 && confidence < 1) blur.confidence = confidence;
+        } else if (items_.take(Keyword::variance)) {
+            const double variance = items_.number("a number from 0 to 1");
+            if (variance >= 0 && variance < 1) blur.variance = variance;
         } else {
             return false;
         }
@@ -182,8 +223,21 @@ private:
         camera.up = camera.up * factor;
     }
 
+    /// What location and direction say to a mesh's camera, once all is read.
+    void finish_mesh() {
+        scene::ProjectionCamera& camera = parts_.camera;
+        if (!camera.mesh || !(location_given_ || direction_given_)) return;
+        scene::MeshCamera mesh = *camera.mesh;
+        if (location_given_) mesh.offset = location_given_->z;
+        if (direction_given_) mesh.reversed = direction_given_->z < -1e-10;
+        camera.mesh = std::make_shared<const scene::MeshCamera>(std::move(mesh));
+    }
+
     void move() {
         scene::ProjectionCamera& camera = parts_.camera;
+        if (camera.function)
+            change_function([&](scene::FunctionCamera& f) { f.world_from_camera = moved_ * f.world_from_camera; });
+        camera.blur.focal_point = transform_point(moved_, camera.blur.focal_point);
         camera.location = transform_point(moved_, camera.location);
         camera.direction = transform_vector(moved_, camera.direction);
         camera.right = transform_vector(moved_, camera.right);
@@ -191,19 +245,20 @@ private:
         camera.sky = transform_vector(moved_, camera.sky);
     }
 
+    ObjectReader& objects_;
     BuildContext& context_;
     ItemReader items_;
     CameraParts parts_;
     Affine3d moved_;
-    std::optional<Vec3d> look_at_;
+    std::optional<Vec3d> look_at_, location_given_, direction_given_;
     std::optional<double> angle_deg_, vertical_angle_deg_;
     bool angle_given_ = false, sized_ = false;
 };
 
 }  // namespace
 
-CameraParts read_camera(BuildContext& context, const Block& block, CameraParts start) {
-    return CameraReader(context, block, std::move(start)).read();
+CameraParts read_camera(ObjectReader& objects, const Block& block, CameraParts start) {
+    return CameraReader(objects, block, std::move(start)).read();
 }
 
 }  // namespace sundog::pov

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "import/pov/build_media.h"
+
 namespace sundog::pov {
 namespace {
 
@@ -198,8 +200,11 @@ Interior read_interior(BuildContext& context, const Block& block) {
     while (!items.at_end()) {
         if (const auto base = items.take_block(Keyword::interior)) {
             interior = read_interior(context, *base);
-        } else if (items.take_block(Keyword::media)) {
-            context.warn_once("media", items.taken_where(), "media { } isn't drawn yet");
+        } else if (const auto medium = items.take_block(Keyword::media)) {
+            auto media = std::make_shared<std::vector<scene::Medium>>();
+            if (interior.media) *media = *interior.media;
+            media->push_back(read_medium(context, *medium));
+            interior.media = std::move(media);
         } else if (items.take(Keyword::ior)) {
             interior.ior = number("an index of refraction");
         } else if (items.take(Keyword::caustics)) {

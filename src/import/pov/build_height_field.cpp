@@ -8,6 +8,7 @@
 #include "import/pov/build_image.h"
 #include "import/pov/build_shape.h"
 #include "output/image.h"
+#include "output/indices.h"
 #include "scene/files.h"
 
 namespace sundog::pov {
@@ -31,6 +32,25 @@ scene::HeightField heights_of(const output::Image& image) {
     scene::HeightField field;
     field.width = static_cast<std::uint32_t>(image.width);
     field.height = static_cast<std::uint32_t>(image.height);
+    field.heights = std::move(heights);
+    return field;
+}
+
+/// Heights of a picture with a palette: the numbers of its colours. A Fractint potential has their high bytes in the
+/// left half and the low ones in the right.
+scene::HeightField heights_of(const output::IndexedImage& image, bool potential) {
+    scene::HeightField field;
+    field.width = potential ? image.width / 2 : image.width;
+    field.height = image.height;
+    auto heights = std::make_shared<std::vector<float>>();
+    heights->reserve(std::size_t{field.width} * field.height);
+    for (std::size_t row = 0; row < field.height; ++row) {
+        const std::uint8_t* const pixels = image.indices.data() + row * image.width;
+        for (std::size_t column = 0; column < field.width; ++column)
+            heights->push_back(potential
+                                   ? static_cast<float>(pixels[column] * 256 + pixels[column + field.width]) / 65535
+                                   : static_cast<float>(pixels[column]) / 255);
+    }
     field.heights = std::move(heights);
     return field;
 }
@@ -66,8 +86,8 @@ NodeShape heights_of_function(ItemReader& items) {
 NodeShape read_height_field(ObjectReader& objects, ItemReader& items) {
     BuildContext& context = objects.context();
     if (items.take(Keyword::function)) return heights_of_function(items);
-    for (const Keyword kind : {Keyword::iff, Keyword::pot})
-        if (items.take(kind)) break;
+    bool potential = false;
+    if (!items.take(Keyword::iff)) potential = items.take(Keyword::pot);
     const ImageName name = read_image_name(items);
     const std::filesystem::path file = context.find_file(name.name, name.where);
     if (file.empty()) {
@@ -76,8 +96,11 @@ NodeShape read_height_field(ObjectReader& objects, ItemReader& items) {
         return {};
     }
     try {
-        const output::Image image = output::read_image(file);
         scene::add_file(context.scene, file);
+        if (const auto indexed = output::read_indices(file);
+            indexed && indexed->width >= (potential ? 4U : 2U) && indexed->height >= 2)
+            return heights_of(*indexed, potential);
+        const output::Image image = output::read_image(file);
         if (image.width >= 2 && image.height >= 2) return heights_of(image);
         context.warn(name.where, "image file '" + name.name + "' has less than 2 by 2 pixels; height_field left out");
     } catch (const InputError& error) {

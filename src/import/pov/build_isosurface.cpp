@@ -9,8 +9,6 @@
 #include "import/pov/function_lowering.h"
 
 namespace sundog::pov {
-namespace {
-
 void read_container(ItemReader& items, const Block& block, scene::Isosurface& isosurface) {
     ItemReader outer(items.context(), block);
     if (const auto sphere = outer.take_block(Keyword::sphere)) {
@@ -31,8 +29,6 @@ void read_container(ItemReader& items, const Block& block, scene::Isosurface& is
         outer.unexpected("a box { } or a sphere { } that contains the isosurface");
     }
 }
-
-}  // namespace
 
 NodeShape read_isosurface(ItemReader& items) {
     scene::Isosurface isosurface;

@@ -132,6 +132,12 @@ private:
             case Keyword::fade_power:
                 light.fade_power = number("a power");
                 break;
+            case Keyword::media_attenuation:
+                light.media_attenuation = items_.flag();
+                break;
+            case Keyword::media_interaction:
+                light.media_interaction = items_.flag();
+                break;
             case Keyword::area_light:
                 read_area();
                 break;
@@ -175,8 +181,7 @@ private:
             case Keyword::orient:
                 area.orient = true;
                 break;
-            default:  // media_attenuation, media_interaction
-                items_.flag();
+            default:
                 return;
         }
         if (result_.light.area) {
@@ -187,6 +192,7 @@ private:
 
     static void place_node(Node& node, const Affine3d& placed) {
         node.parent_from_shape = placed * node.parent_from_shape;
+        node.parent_from_interior = placed * node.parent_from_interior;
         node.texture.parent_from_texture = placed * node.texture.parent_from_texture;
         node.interior_texture.parent_from_texture = placed * node.interior_texture.parent_from_texture;
         for (std::vector<Node::Clip>* clips : {&node.clipped_by, &node.bounded_by})

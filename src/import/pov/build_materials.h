@@ -4,28 +4,38 @@
 
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "import/pov/build_texture.h"
 #include "scene/scene.h"
 
 namespace sundog::pov {
 
+/// What is inside an object, and where its media lie. Nothing: air.
+struct PlacedInterior {
+    InteriorPointer interior{};
+    Affine3d world_from_interior{};
+    bool hollow = false;
+};
+
 /// Makes materials of textures. Textures that look the same everywhere share one, wherever they are used.
 class MaterialTable {
 public:
     explicit MaterialTable(scene::Scene& scene) : scene_(scene) {}
 
-    /// The material of a texture that lies in the world as `world_from_texture` says. A null interior is air's.
-    scene::Index of(const TexturePointer& texture, const Affine3d& world_from_texture, const InteriorPointer& interior);
+    /// The material of a texture that lies in the world as `world_from_texture` says.
+    scene::Index of(const TexturePointer& texture, const Affine3d& world_from_texture, const PlacedInterior& inside);
 
 private:
     scene::Index append(const TexturePointer& texture, const Affine3d& world_from_texture,
-                        const InteriorPointer& interior);
+                        const PlacedInterior& inside);
 
     scene::Scene& scene_;
     std::unordered_map<std::string, scene::Index> known_;
-    const scene::LayeredTexture* last_texture_ = nullptr;  // Of the last material that is the same everywhere.
+    std::unordered_map<InteriorPointer, std::uint32_t> interiors_;  // Their numbers, from 1.
+    const scene::LayeredTexture* last_texture_ = nullptr;           // Of the last material that is the same everywhere.
     const scene::Interior* last_interior_ = nullptr;
+    bool last_hollow_ = false;
     scene::Index last_ = 0;
 };
 

@@ -216,7 +216,9 @@ public:
     NodeShape read() {
         SolidMesh& mesh = builder_.mesh().triangles;
         while (!items_.at_end()) {
-            if (const auto base = items_.take_block(Keyword::mesh2)) {
+            auto base = items_.take_block(Keyword::mesh2);
+            if (!base) base = items_.take_block(Keyword::mesh);
+            if (base) {
                 const Node node = objects_.read(*base);
                 if (const auto* shared = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape)) return *shared;
             } else if (const auto vertices = items_.take_block(Keyword::vertex_vectors)) {
@@ -313,7 +315,9 @@ NodeShape read_mesh(ObjectReader& objects, ItemReader& items) {
     MeshBuilder builder(objects);
     SolidMesh& mesh = builder.mesh().triangles;
     while (!items.at_end()) {
-        if (const auto base = items.take_block(Keyword::mesh)) {
+        auto base = items.take_block(Keyword::mesh);
+        if (!base) base = items.take_block(Keyword::mesh2);
+        if (base) {
             const Node node = objects.read(*base);
             if (const auto* shared = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape)) return *shared;
             continue;

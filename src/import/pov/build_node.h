@@ -46,7 +46,8 @@ using NodeShape =
     std::variant<std::monostate, scene::SolidSphere, scene::SolidBox, scene::SolidCone, scene::HalfSpace, scene::Torus,
                  scene::Polynomial, scene::Superellipsoid, scene::Blob, scene::Lathe, scene::SurfaceOfRevolution,
                  scene::Prism, scene::SphereSweep, scene::HeightField, scene::Disc, scene::FlatPolygon,
-                 scene::Isosurface, std::shared_ptr<const NodeMesh>, NodeGroup, std::shared_ptr<const NodeLight>>;
+                 scene::Isosurface, scene::JuliaFractal, scene::Ovus, scene::Lemon, scene::Parametric,
+                 std::shared_ptr<const NodeMesh>, NodeGroup, std::shared_ptr<const NodeLight>>;
 
 /// An object as its block says it. An empty shape stands for what isn't drawn (left out with a warning).
 struct Node {
@@ -62,10 +63,11 @@ struct Node {
     TexturePointer
         fallback;  ///< #default's where the block is: an outermost object's is for all parts without a texture.
     InteriorPointer interior;
+    Affine3d parent_from_interior;
     std::vector<Clip> clipped_by, bounded_by;
     bool inverted = false;
     bool hollow = false;
-    bool no_shadow = false, no_image = false, no_reflection = false;
+    bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
     bool double_illuminate = false;
     bool cutaway_textures = false;
 };

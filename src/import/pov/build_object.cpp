@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/build_radiosity.h"
 #include "import/pov/build_shape.h"
 #include "import/pov/build_transform.h"
 
@@ -129,7 +130,7 @@ private:
         } else if (const auto finish = items_.take_block(Keyword::finish)) {
             change_texture(*finish);
         } else if (const auto interior = items_.take_block(Keyword::interior)) {
-            node_.interior = textures_.read_interior(*interior);
+            set_interior(textures_.read_interior(*interior));
         } else if (const auto material = items_.take_block(Keyword::material)) {
             take_material(textures_.read_material(material));
         } else {
@@ -146,8 +147,13 @@ private:
     }
 
     void set_texture(TexturePointer texture) {
-        if (InteriorPointer interior = textures_.interior_of(texture)) node_.interior = std::move(interior);
+        if (InteriorPointer interior = textures_.interior_of(texture)) set_interior(std::move(interior));
         node_.texture = {std::move(texture), inverse(placed_from_start_)};
+    }
+
+    void set_interior(InteriorPointer interior) {
+        node_.interior = std::move(interior);
+        node_.parent_from_interior = inverse(placed_from_start_);
     }
 
     void change_texture(const Block& block) {
@@ -162,7 +168,7 @@ private:
         }
         if (parts.interior_texture)
             node_.interior_texture = {std::move(parts.interior_texture), inverse(placed_from_start_)};
-        if (parts.interior) node_.interior = std::move(parts.interior);
+        if (parts.interior) set_interior(std::move(parts.interior));
     }
 
     bool read_bounds() {
@@ -191,6 +197,10 @@ private:
     bool read_flag() {
         if (items_.take_block(Keyword::photons)) {
             context_.warn_once("photons", items_.taken_where(), "photons aren't drawn yet");
+            return true;
+        }
+        if (const auto radiosity = items_.take_block(Keyword::radiosity)) {
+            read_importance(context_, *radiosity);
             return true;
         }
         const std::optional<Keyword> keyword = items_.peek_keyword();
@@ -225,6 +235,8 @@ private:
                 uv_mapping_ = take_flag();
                 return true;
             case Keyword::no_radiosity:
+                node_.no_radiosity = take_flag();
+                return true;
             case Keyword::split_union:
             case Keyword::sturm:
             case Keyword::hierarchy:
@@ -241,6 +253,7 @@ private:
         if (uv_mapping_) node_.texture.texture = textures_.uv_mapped(node_.texture.texture);
         if (placed == Affine3d{}) return;
         node_.parent_from_shape = placed * node_.parent_from_shape;
+        node_.parent_from_interior = placed * node_.parent_from_interior;
         node_.texture.parent_from_texture = placed * node_.texture.parent_from_texture;
         node_.interior_texture.parent_from_texture = placed * node_.interior_texture.parent_from_texture;
         for (std::vector<Node::Clip>* clips : {&node_.clipped_by, &node_.bounded_by})

@@ -7,6 +7,7 @@
 #include "import/pov/build_atmosphere.h"
 #include "import/pov/build_camera.h"
 #include "import/pov/build_materials.h"
+#include "import/pov/build_media.h"
 
 namespace sundog::pov {
 
@@ -26,7 +27,7 @@ void SceneBuilder::read(const Block& block) {
     }
     switch (block.keyword) {
         case Keyword::camera:
-            context_.scene.projection_camera = read_camera(context_, block).camera;
+            context_.scene.projection_camera = read_camera(objects_, block).camera;
             return;
         case Keyword::background:
             read_background(context_, block);
@@ -44,7 +45,7 @@ void SceneBuilder::read(const Block& block) {
             context_.warn_once("rainbow", block.where, "rainbow { } isn't drawn yet");
             return;
         case Keyword::media:
-            context_.warn_once("media", block.where, "media { } isn't drawn yet");
+            context_.scene.atmosphere.push_back(read_medium(context_, block));
             return;
         default:
             break;
@@ -60,7 +61,7 @@ void SceneBuilder::finish() {
     scene::Scene& scene = context_.scene;
     if (!scene.projection_camera) scene.projection_camera = CameraParts{}.camera;
     if (scene.materials.empty()) {
-        static_cast<void>(MaterialTable(scene).of(textures_.default_texture(Block{}), {}, nullptr));
+        static_cast<void>(MaterialTable(scene).of(textures_.default_texture(Block{}), {}, {}));
     }
     constexpr double kLinear = 1, kAsStored = 0;
     scene.settings.working_gamma =
@@ -68,7 +69,7 @@ void SceneBuilder::finish() {
     constexpr float kAdcBailout = 1.0F / 255;  // POV-Ray's default
     constexpr int kMaxTraceLevel = 5;
     if (!scene.settings.min_weight) scene.settings.min_weight = kAdcBailout;
-    if (!scene.settings.max_depth) scene.settings.max_depth = kMaxTraceLevel;
+    if (!scene.settings.max_depth) scene.settings.max_depth = kMaxTraceLevel - 1;
 }
 
 }  // namespace sundog::pov

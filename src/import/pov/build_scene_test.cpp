@@ -265,7 +265,7 @@ TEST(BuildSettings, SurroundingsArriveInTheScene) {
         "global_settings { max_trace_level 12 adc_bailout 0.02 ambient_light rgb <1, 2, 3> radiosity { count 3 } }"
         "background { rgb <0.1, 0.2, 0.3> } fog { fog_type 2 distance 10 rgb 0.5 fog_alt 2 fog_offset 1 }"
         "sky_sphere { pigment { gradient y } rotate 90*x }");
-    EXPECT_EQ(built.scene.settings.max_depth, 12);
+    EXPECT_EQ(built.scene.settings.max_depth, 11);
     EXPECT_FLOAT_EQ(*built.scene.settings.min_weight, 0.02F);
     expect_near(built.scene.ambient, {1, 2, 3});
     expect_near(built.scene.sky, {0.1, 0.2, 0.3});
@@ -273,7 +273,43 @@ TEST(BuildSettings, SurroundingsArriveInTheScene) {
     EXPECT_TRUE(built.scene.fogs[0].ground);
     EXPECT_FLOAT_EQ(built.scene.fogs[0].altitude, 2);
     ASSERT_EQ(built.scene.sky_spheres.size(), 1U);
-    EXPECT_EQ(built.warnings.size(), 1U) << "radiosity";
+    EXPECT_TRUE(built.warnings.empty());
+    ASSERT_TRUE(built.scene.radiosity);
+    EXPECT_EQ(built.scene.radiosity->count, 3);
+}
+
+// A setting read into another one, a default that isn't povray's, ambient light kept or dropped in the wrong version,
+// reuse limits that cross.
+TEST(BuildSettings, RadiosityIsRead) {
+    const BuiltScene built = build(R"(
+        #version 3.7;
+        global_settings { radiosity {
+            count 12, 100 nearest_count 7, 3 recursion_limit 4 error_bound 0.3 low_error_factor 0.7 minimum_reuse 0.2
+            pretrace_start 0.5 pretrace_end 0.25 gray_threshold 0.1 brightness 2 max_sample 9 adc_bailout 0.5 normal on
+            media on always_sample on } }
+        #default { radiosity { importance 0.5 } }
+        sphere { 0, 1 no_radiosity } sphere { 0, 1 radiosity { importance 0.25 } })");
+    ASSERT_TRUE(built.scene.radiosity);
+    const scene::Radiosity& r = *built.scene.radiosity;
+    EXPECT_EQ(r.count, 12);
+    EXPECT_EQ(r.nearest_count, 7);
+    EXPECT_EQ(r.recursion_limit, 4);
+    EXPECT_FLOAT_EQ(r.error_bound, 0.3F);
+    EXPECT_FLOAT_EQ(r.low_error_factor, 0.7F);
+    EXPECT_FLOAT_EQ(r.minimum_reuse, 0.2F);
+    EXPECT_FLOAT_EQ(r.maximum_reuse, 0.4F) << "gives way";
+    EXPECT_FLOAT_EQ(r.pretrace_start, 0.5F);
+    EXPECT_FLOAT_EQ(r.pretrace_end, 0.25F);
+    EXPECT_FLOAT_EQ(r.gray_threshold, 0.1F);
+    EXPECT_FLOAT_EQ(r.brightness, 2);
+    EXPECT_FLOAT_EQ(r.max_sample, 9);
+    EXPECT_FLOAT_EQ(r.adc_bailout, 0.5F);
+    EXPECT_TRUE(r.normal && r.media && r.always_sample);
+    EXPECT_FALSE(r.keeps_ambient);
+    EXPECT_EQ(built.warnings.size(), 1U) << "minimum_reuse";
+    EXPECT_FALSE(built.scene.objects[0].seen_by_radiosity);
+    EXPECT_TRUE(built.scene.objects[1].seen_by_radiosity);
+    EXPECT_TRUE(build("#version 3.6; global_settings { radiosity { } }").scene.radiosity->keeps_ambient);
 }
 
 // A scene refused, or its other objects lost, for one shape that can't be drawn.

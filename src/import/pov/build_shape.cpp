@@ -147,6 +147,14 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
             return read_polygon(items);
         case Keyword::isosurface:
             return read_isosurface(items);
+        case Keyword::julia_fractal:
+            return read_julia_fractal(items);
+        case Keyword::ovus:
+            return read_ovus(items);
+        case Keyword::lemon:
+            return read_lemon(items);
+        case Keyword::parametric:
+            return read_parametric(items);
         case Keyword::height_field:
             return read_height_field(objects, items);
         case Keyword::text:
@@ -179,6 +187,8 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
 bool read_shape_item(ItemReader& items, const Block& block, NodeShape& shape) {
     if (auto* isosurface = std::get_if<scene::Isosurface>(&shape))
         if (read_isosurface_item(items, *isosurface)) return true;
+    if (auto* parametric = std::get_if<scene::Parametric>(&shape))
+        if (read_parametric_item(items, *parametric)) return true;
     if (block.keyword == Keyword::isosurface && std::holds_alternative<std::monostate>(shape)) {
         scene::Isosurface left_out;
         if (read_isosurface_item(items, left_out)) return true;
@@ -187,6 +197,7 @@ bool read_shape_item(ItemReader& items, const Block& block, NodeShape& shape) {
         const bool open = items.flag();
         if (auto* cone = std::get_if<scene::SolidCone>(&shape)) cone->open = open;
         else if (auto* prism = std::get_if<scene::Prism>(&shape)) prism->open = open;
+        else if (auto* lemon = std::get_if<scene::Lemon>(&shape)) lemon->open = open;
         else if (auto* sor = std::get_if<scene::SurfaceOfRevolution>(&shape)) sor->open = open;
         return true;
     }

@@ -30,6 +30,14 @@ NodeShape read_polygon(ItemReader& items);
 NodeShape read_isosurface(ItemReader& items);
 /// Takes one of an isosurface's own items, if one follows.
 bool read_isosurface_item(ItemReader& items, scene::Isosurface& isosurface);
+NodeShape read_julia_fractal(ItemReader& items);
+NodeShape read_ovus(ItemReader& items);
+NodeShape read_lemon(ItemReader& items);
+NodeShape read_parametric(ItemReader& items);
+/// Reads a `contained_by { }`, a box or a sphere, into a shape's in_sphere, center, radius, lower and upper.
+void read_container(ItemReader& items, const Block& block, scene::Isosurface& isosurface);
+/// Takes one of a parametric surface's own items, if one follows.
+bool read_parametric_item(ItemReader& items, scene::Parametric& parametric);
 NodeShape read_height_field(ObjectReader& objects, ItemReader& items);
 NodeShape read_text(ItemReader& items);
 NodeShape read_bicubic_patch(ItemReader& items);

@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "import/pov/build_material_map.h"
+#include "import/pov/build_media.h"
 #include "import/pov/build_normal.h"
 #include "import/pov/build_pattern.h"
 #include "import/pov/build_pigment.h"
+#include "import/pov/build_radiosity.h"
 #include "import/pov/build_texture_map.h"
 #include "import/pov/build_transform.h"
 
@@ -247,6 +249,7 @@ private:
             }
         }
         if (entries_.size() != 2) context_.fail(block.where, "tiles { } takes two textures");
+        std::swap(entries_[0], entries_[1]);  // the second lies where a checker has its first
         parts_.pattern.kind = scene::Pattern::Kind::checker;
         parts_.given = true;
     }
@@ -319,9 +322,11 @@ DefaultTexture TextureReader::read_defaults(const Block& block) {
             result.layer.finish = read_finish(context_, *finish, {result.layer.finish, {}, false}).finish;
         } else if (const auto normal = items.take_block(Keyword::normal)) {
             result.layer.normal = read_normal(context_, *normal, result.layer.normal);
+        } else if (const auto radiosity = items.take_block(Keyword::radiosity)) {
+            read_importance(context_, *radiosity);
         } else if (!items.take_block(Keyword::camera)) {
-            static constexpr std::array kValid{Keyword::texture, Keyword::pigment, Keyword::normal, Keyword::finish,
-                                               Keyword::camera};
+            static constexpr std::array kValid{Keyword::texture, Keyword::pigment, Keyword::normal,
+                                               Keyword::finish,  Keyword::camera,  Keyword::radiosity};
             items.unexpected(kValid);
         }
     }
@@ -411,6 +416,11 @@ MaterialParts TextureReader::read_material(const std::shared_ptr<const Block>& b
             const Affine3d old_from_moved = inverse(moved_from_old);
             if (parts.texture) parts.texture = moved(parts.texture, old_from_moved);
             if (parts.interior_texture) parts.interior_texture = moved(parts.interior_texture, old_from_moved);
+            if (parts.interior && parts.interior->media) {
+                auto interior = std::make_shared<scene::Interior>(*parts.interior);
+                move_interior(*interior, old_from_moved);
+                parts.interior = std::move(interior);
+            }
         }
     }
     return parts;
@@ -419,6 +429,7 @@ MaterialParts TextureReader::read_material(const std::shared_ptr<const Block>& b
 InteriorPointer TextureReader::read_interior(const Block& block) {
     const scene::Interior interior = pov::read_interior(context_, block);
     std::string key;
+    if (interior.media) return std::make_shared<const scene::Interior>(interior);
     append_bytes(key, interior.ior, interior.dispersion, interior.caustics, interior.fade_distance, interior.fade_power,
                  interior.fade_color);
     InteriorPointer& known = interiors_[std::move(key)];

@@ -77,10 +77,15 @@ SceneWriter::Surroundings SceneWriter::within(const Surroundings& around, const 
         inside.interior_texture = node.interior_texture.texture;
         inside.world_from_interior_texture = around.world_from_parent * node.interior_texture.parent_from_texture;
     }
-    if (node.interior) inside.interior = node.interior;
+    if (node.interior) {
+        inside.interior.interior = node.interior;
+        inside.interior.world_from_interior = around.world_from_parent * node.parent_from_interior;
+    }
+    inside.interior.hollow |= node.hollow;
     inside.no_shadow |= node.no_shadow;
     inside.no_image |= node.no_image;
     inside.no_reflection |= node.no_reflection;
+    inside.no_radiosity |= node.no_radiosity;
     inside.double_illuminate |= node.double_illuminate;
     inside.world_from_parent = around.world_from_parent * node.parent_from_shape;
     return inside;
@@ -111,6 +116,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     object.casts_shadow = !inside.no_shadow;
     object.seen_by_camera = !inside.no_image;
     object.seen_in_reflections = !inside.no_reflection;
+    object.seen_by_radiosity = !inside.no_radiosity;
     object.double_illuminate = inside.double_illuminate;
     const auto* mesh = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape);
     if (mesh && plain && !inside.interior_texture) {

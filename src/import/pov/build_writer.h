@@ -29,8 +29,9 @@ private:
         TexturePointer fallback{};  // #default's where the outermost object is, for parts without a texture.
         TexturePointer texture{}, interior_texture{};  // Null: none.
         Affine3d world_from_texture{}, world_from_interior_texture{};
-        InteriorPointer interior{};
-        bool no_shadow = false, no_image = false, no_reflection = false, double_illuminate = false;
+        PlacedInterior interior{};
+        bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
+        bool double_illuminate = false;
     };
     [[nodiscard]] static Surroundings within(const Surroundings& around, const Node& node);
 

@@ -162,6 +162,18 @@ void Interpreter::parse_keyword_item(std::vector<Item>& items, Keyword context, 
     const auto keyword = static_cast<Keyword>(ahead_.payload);
     const Place where = ahead_.file->place(ahead_.offset);
     const WordUse use = word_use(keyword);
+    if (keyword == Keyword::pwr) {  // of a julia_fractal: pwr(x, y)
+        take();
+        items.push_back({where, keyword});
+        if (!accept(TokenKind::left_paren)) return;
+        for (int i = 0; i < 2; ++i) {
+            const Spot part = here();
+            items.push_back({part, number_value(parse_number())});
+            accept(TokenKind::comma);
+        }
+        expect(TokenKind::right_paren, "after pwr's exponent");
+        return;
+    }
     if (use == WordUse::constant) return append_value(items, where, parse_value(), context);
     if (use == WordUse::string) {
         items.push_back({where, parse_string()});

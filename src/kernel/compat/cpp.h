@@ -46,6 +46,8 @@
 
 namespace sundog::kernel {
 
+class IndirectLight;
+
 /// A lane's PatternPoint (kernel/patterns/program.h).
 struct HostPoint {
     vec3 p, normal, direction, world;
@@ -68,8 +70,10 @@ struct SceneView {
 #define KERNEL_ARRAY(type, name, binding) const type* name;
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
-    const void* traversal;          ///< The device's own; the kernel never looks inside.
-    const HostFields* host_fields;  ///< Null where no program asks.
+    const void* traversal;                    ///< The device's own; the kernel never looks inside.
+    const HostFields* host_fields = nullptr;  ///< Set where some program asks.
+    const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
+    uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 
 }  // namespace sundog::kernel

@@ -16,8 +16,13 @@
 #include "kernel/lights/light.h"
 #include "kernel/lights/shadow.h"
 #include "kernel/materials/bump.h"
+#include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
+#ifdef __cplusplus
+#include "kernel/integrators/media.h"
+#include "kernel/lights/indirect.h"
+#endif
 
 KERNEL_BEGIN
 
@@ -25,9 +30,11 @@ KERNEL_BEGIN
 struct PathState {
     Ray ray;
     real3 weight;
-    word depth;  ///< Surfaces before it on its path.
+    word depth;  ///< Surfaces before it on its path, in DEPTH_UNITS.
     word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
     mask alive;
+    Insides insides;     ///< What it is inside of, as far as that is known.
+    MediaInsides media;  ///< If FEATURE_MEDIA: of what its origin is inside, whose media it passes.
 };
 
 /// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
@@ -39,7 +46,7 @@ struct FirstHit {
 };
 
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
-FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, mask alive,
+FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, MediaInsides media, mask alive,
                      INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
     base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     highlight = real3(real(0.0f));
@@ -62,7 +69,8 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
             if (FEATURE(FEATURE_SHADOWS)) {
                 if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
                     real3 origin = s.position + s.geometric_normal * s.error;
-                    light_color = light_color * light_visibility(SCENE_ light, origin, to_light, distance, lit, counts);
+                    light_color =
+                        light_color * light_visibility(SCENE_ light, origin, to_light, distance, media, lit, counts);
                 }
             }
             light_color = select(lit, light_color, real3(real(0.0f)));
@@ -100,8 +108,14 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.ray = ray;
     path.weight = real3(real(1.0f));
     path.depth = word(0u);
+#ifdef __cplusplus
+    path.kind = word(scene.first_ray_kind);
+#else
     path.kind = word(RAY_CAMERA);
+#endif
+    path.media = eye_insides(SCENE_ alive);
     path.alive = alive;
+    path.insides = no_insides();
     first.t = real(3.0e38f);
     first.normal = black;
     first.albedo = black;
@@ -114,10 +128,20 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, is_first);
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
+#ifdef __cplusplus
+        if (FEATURE(FEATURE_MEDIA)) {
+            radiance = radiance + media_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.media,
+                                                 path.alive, path.weight, counts);
+        }
+#endif
         if (FEATURE(FEATURE_ATMOSPHERE)) {
             if (FRAME.fog_count > 0u) {
-                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.weight);
-                radiance = radiance + select(path.alive, glow, black);
+                mask in_fog = path.alive;
+                if (FEATURE(FEATURE_MEDIA)) in_fog = mask_and(in_fog, mask_not(in_solid(path.media)));
+                real3 dimmed = path.weight;
+                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), dimmed);
+                radiance = radiance + select(in_fog, glow, black);
+                path.weight = select(in_fog, dimmed, path.weight);
             }
             if (any_lane(missed)) {
                 radiance = radiance + select(missed, path.weight * sky_radiance(SCENE_ path.ray.direction), black);
@@ -131,15 +155,27 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
             Lobes lobes = evaluate_material(SCENE_ s, path.ray.direction);
             LayerColors layered;
+            Crossing crossing;
+            real3 smooth_normal = s.normal;
             if (FEATURE(FEATURE_PATTERNED)) {
-                path.weight = path.weight * inside_transmittance(SCENE_ s, hit.t, found);
+                word interior = interior_of(SCENE_ s, lobes.patterned);
+                crossing = crossing_at(SCENE_ s, interior, path.insides);
+                if (FEATURE(FEATURE_TRANSPARENT)) {
+                    real3 dimmed = inside_transmittance(SCENE_ path.insides, interior, crossing.leaves, hit.t);
+                    path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
+                }
+                lobes.eta = select(lobes.patterned, crossing_eta(SCENE_ crossing, interior, path.insides), lobes.eta);
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
             }
             real3 base;
             real3 highlight;
-            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, found, counts, base, highlight);
+            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, path.media, found, counts, base, highlight);
+#ifdef __cplusplus
+            if (FEATURE(FEATURE_RADIOSITY))
+                base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
+#endif
             if (is_first && FRAME.aovs != 0u) {
                 first.t = select(found, hit.t, first.t);
                 first.normal = select(found, s.normal, black);
@@ -149,14 +185,18 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                 first.material = select(found, s.material, word(NONE));
             }
             if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
-                mask deeper = mask_and(found, path.depth < word(FRAME.max_depth));
+                // Straight on where eta is 1, to the last bit.
+                mask straight = mask_and(lobes.patterned, abs(lobes.eta - 1.0f) <= real(0.0f));
+                word deepest = word(FRAME.max_depth * DEPTH_UNITS);
+                mask deeper = mask_and(found, path.depth < deepest);
+                mask deeper_on = mask_and(found, path.depth < select(straight, deepest + word(DEPTH_UNITS), deepest));
                 real3 reflected = path.weight * lobes.reflectance;
                 real3 transmitted = path.weight * lobes.transmittance;
                 real reflected_most = max(reflected.x, max(reflected.y, reflected.z));
                 real transmitted_most = max(transmitted.x, max(transmitted.y, transmitted.z));
                 mask reflects =
                     mask_and(mask_and(deeper, reflected_most > real(0.0f)), reflected_most >= real(FRAME.min_weight));
-                mask transmits = mask_and(mask_and(deeper, transmitted_most > real(0.0f)),
+                mask transmits = mask_and(mask_and(deeper_on, transmitted_most > real(0.0f)),
                                           transmitted_most >= real(FRAME.min_weight));
                 mask both = mask_and(reflects, transmits);
                 if (waiting_count == MAX_BRANCHES) {
@@ -175,7 +215,10 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
 
                 follow = mask_or(reflects, transmits);
                 if (any_lane(follow)) {
-                    path.depth = path.depth + word(1u);
+                    word reflected_depth = path.depth + word(DEPTH_UNITS);
+                    word transmitted_depth = path.depth + select(straight, word(1u), word(DEPTH_UNITS));
+                    Insides behind_insides = path.insides;
+                    if (FEATURE(FEATURE_PATTERNED)) behind_insides = crossing.behind;
                     real3 incoming = path.ray.direction;
                     real3 reflected_direction = mirror_direction(incoming, s.normal);
                     // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
@@ -196,6 +239,8 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                             mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
                             refracted_direction = select(bends, normalize(refracted_direction), incoming);
                             real3 behind = s.position - s.geometric_normal * s.error;
+                            MediaInsides beyond = path.media;
+                            if (FEATURE(FEATURE_MEDIA)) beyond = insides_beyond(SCENE_ s, beyond, transmits);
                             if (any_lane(both)) {
                                 PathState branch;
                                 branch.ray.origin = behind;
@@ -203,17 +248,24 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                                 branch.ray.t_min = real(0.0f);
                                 branch.ray.t_max = real(3.0e38f);
                                 branch.weight = transmitted;
-                                branch.depth = path.depth;
+                                branch.depth = transmitted_depth;
+                                branch.insides = behind_insides;
                                 branch.kind = path.kind;
+                                branch.media = beyond;
                                 branch.alive = both;
                                 waiting[waiting_count] = branch;
                                 waiting_count = waiting_count + 1u;
                             }
                             next.origin = select(reflects, next.origin, behind);
                             next.direction = select(reflects, next.direction, refracted_direction);
+                            for (uint i = 0u; i < MAX_INSIDES; i = i + 1u)
+                                path.media.entry[i] = select(reflects, path.media.entry[i], beyond.entry[i]);
                         }
                     }
                     path.weight = select(reflects, reflected, transmitted);
+                    path.depth = select(reflects, reflected_depth, transmitted_depth);
+                    path.insides.inner = select(reflects, path.insides.inner, behind_insides.inner);
+                    path.insides.outer = select(reflects, path.insides.outer, behind_insides.outer);
                     path.kind = select(reflects, word(RAY_REFLECTED), path.kind);
                     path.ray = next;
                 }

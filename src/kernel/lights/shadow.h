@@ -4,26 +4,49 @@
 #ifndef SUNDOG_KERNEL_LIGHTS_SHADOW_H
 #define SUNDOG_KERNEL_LIGHTS_SHADOW_H
 
+#include "kernel/atmosphere/fog.h"
+#include "kernel/atmosphere/insides.h"
 #include "kernel/lights/light.h"
+#include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
 #include "kernel/rays.h"
+#ifdef __cplusplus
+#include "kernel/atmosphere/media.h"
+#endif
 
 KERNEL_BEGIN
 
 /// Share of the light, per channel, that comes along a shadow ray: 0 behind anything opaque, 1 in the open; each
 /// transparent surface in the way takes its part by its transmittance, which falls with the light's angle to its normal
 /// where the material follows Fresnel. The ray goes straight: caustics are not its business (Whitted 1980, section 3).
-FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts) {
+/// `insides` is what the ray starts inside of: media there and on the way dim the light; fog and the atmosphere's media
+/// only that of lights with LIGHT_ATTENUATED among `light_flags`.
+FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_flags, mask alive,
+                              INOUT(RayCounts) counts) {
     word one = select(alive, word(1u), word(0u));
     counts.rays = counts.rays + one;
     counts.shadow_rays = counts.shadow_rays + one;
-    if (!FEATURE(FEATURE_TRANSPARENT)) {
+    bool attenuated = (light_flags & LIGHT_ATTENUATED) != 0u;
+    bool in_fog = FEATURE(FEATURE_ATMOSPHERE) && FRAME.fog_count > 0u && attenuated;
+    if (!FEATURE(FEATURE_TRANSPARENT | FEATURE_MEDIA) && !in_fog) {
         mask blocked = trace_any(SCENE_ ray, alive, word(RAY_SHADOW));
         return select(blocked, real3(real(0.0f)), real3(real(1.0f)));
     }
     real3 transmittance = real3(real(1.0f));
     for (uint surface = 0u; surface < MAX_SHADOW_SURFACES; surface = surface + 1u) {
         Hit hit = trace_closest(SCENE_ ray, alive, word(RAY_SHADOW), true);
+        real way = select(hit.geometry != word(NONE), hit.t, ray.t_max);
+        if (in_fog) {
+            real3 dimmed = transmittance;
+            fog_radiance(SCENE_ ray, way, dimmed);
+            transmittance = select(mask_and(alive, mask_not(in_solid(insides))), dimmed, transmittance);
+        }
+#ifdef __cplusplus
+        if (FEATURE(FEATURE_MEDIA)) {
+            real3 passes = media_transmittance(SCENE_ ray, way, insides, attenuated, alive);
+            transmittance = select(alive, transmittance * passes, transmittance);
+        }
+#endif
         alive = mask_and(alive, hit.geometry != word(NONE));
         if (!any_lane(alive)) return transmittance;
         // Most of what stands in the way is opaque: that is told from the material alone.
@@ -38,11 +61,14 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
         if (FEATURE(FEATURE_PATTERNED)) {
             LayerColors layered;
             evaluate_layers(SCENE_ s, ray.direction, alive, true, lobes, layered);
-            passes = lobes.transmittance * inside_transmittance(SCENE_ s, hit.t, alive);
+            word interior = interior_of(SCENE_ s, lobes.patterned);
+            passes =
+                lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);
         }
         transmittance = select(alive, transmittance * passes, transmittance);
         alive = mask_and(alive, max(transmittance.x, max(transmittance.y, transmittance.z)) > real(0.0f));
         if (!any_lane(alive)) return transmittance;
+        if (FEATURE(FEATURE_MEDIA)) insides = insides_beyond(SCENE_ s, insides, alive);
         // On from the far side of that surface; a lamp's distance shrinks by what was passed.
         ray.origin = s.position - s.geometric_normal * s.error;
         ray.t_max = ray.t_max - hit.t;
@@ -53,16 +79,24 @@ FN real3 shadow_transmittance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts
 
 /// Share of a light that reaches the lanes of `lit`, whose shadow ray starts at `origin`: of one point, or the mean
 /// over an area's (see area_share). An area with probes asks those first, spread over it from corner to corner; lanes
-/// in which all of them give the same are done.
-FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real distance, mask lit,
-                          INOUT(RayCounts) counts) {
+/// in which all of them give the same are done. `insides` is what `origin` is inside of.
+FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real distance, MediaInsides insides,
+                          mask lit, INOUT(RayCounts) counts) {
     Ray shadow;
     shadow.origin = origin;
     shadow.direction = to_light;
     shadow.t_min = real(0.0f);
     // Short of the light by both ends' rounding: a light may lie in a surface.
     shadow.t_max = distance;
-    if (light.kind != LIGHT_SUN) shadow.t_max = distance - hit_error(origin, real3(light.place), distance);
+    if (light.kind == LIGHT_LAMP || light.kind == LIGHT_SPOT) {
+        // From where the ray starts, which is a little off the lit point: else it would end beside the light.
+        real3 to_place = real3(light.place) - origin;
+        real reach = length(to_place);
+        shadow.t_max = reach - hit_error(origin, real3(light.place), reach);
+        shadow.direction = to_place * (1.0f / max(reach, real(1e-30f)));
+    } else if (light.kind != LIGHT_SUN) {
+        shadow.t_max = distance - hit_error(origin, real3(light.place), distance);
+    }
     bool is_area = light.area_count_u * light.area_count_v > 1u;
     bool probing = light.area_probes > 1u && light.area_probes < max(light.area_count_u, light.area_count_v);
     uint steps_u = probing ? min(light.area_probes, light.area_count_u) : light.area_count_u;
@@ -86,7 +120,7 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
                     shadow.direction = to_place * (1.0f / max(reach, real(1e-30f)));
                 }
             }
-            real3 share = shadow_transmittance(SCENE_ shadow, open, counts);
+            real3 share = shadow_transmittance(SCENE_ shadow, insides, light.flags, open, counts);
             float part = area_share(i % steps_u, steps_u) * area_share(i / steps_u, steps_v);
             sum = sum + share * real(part);
             least = min(least, share);

@@ -27,11 +27,12 @@ FN real3 metallic_tint(real3 color, real metallic, real cosine) {
 }
 
 /// Reflectance of a layer under a cosine between its normal and the ray.
-FN real3 layer_reflectance(Layer layer, float ior, real3 color, real cos_in, mask from_behind) {
+/// `eta` is the index of refraction in front over the one behind.
+FN real3 layer_reflectance(Layer layer, real eta, real3 color, real cos_in) {
     real c = clamp(cos_in, real(0.0f), real(1.0f));
     real angle_share;
     if ((layer.flags & LAYER_FRESNEL) != 0u) {
-        angle_share = fresnel_dielectric(c, select(from_behind, real(ior), real(1.0f / ior)));
+        angle_share = fresnel_dielectric(c, eta);
     } else {
         angle_share = power(1.0f - c, real(layer.reflection_falloff));
     }
@@ -40,9 +41,9 @@ FN real3 layer_reflectance(Layer layer, float ior, real3 color, real cos_in, mas
     return r;
 }
 
-/// Puts the textures of those lanes of `found` that have one into `lobes`, and their layers into `layered`. For a
-/// shadow ray, which goes straight on, nothing is thrown back by total internal reflection or kept by conserve_energy,
-/// as in povray.
+/// Puts the textures of those lanes of `found` that have one into `lobes`, whose eta is set already, and their layers
+/// into `layered`. For a shadow ray, which goes straight on, nothing is thrown back by total internal reflection or
+/// kept by conserve_energy, as in povray.
 FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool for_shadow, INOUT(Lobes) lobes,
                               OUT(LayerColors) layered) {
     real3 black = real3(real(0.0f));
@@ -122,7 +123,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
                 layered.normal[l] = select(here, n, layered.normal[l]);
                 cos_layer = -dot(n, incoming);
             }
-            real3 r = layer_reflectance(layer, m.ior, c.rgb, cos_layer, s.from_behind);
+            real3 r = layer_reflectance(layer, lobes.eta, c.rgb, cos_layer);
             if (FEATURE(FEATURE_NORMALS)) {
                 real3 weight = above * r;
                 real most = max(weight.x, max(weight.y, weight.z));
@@ -145,14 +146,14 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         lobes.emission = select(here, emission, lobes.emission);
         lobes.ambient = select(here, ambient, lobes.ambient);
         lobes.albedo = select(here, albedo, lobes.albedo);
-        // Total internal reflection throws back all that would have passed.
-        real eta = select(s.from_behind, real(m.ior), real(1.0f / m.ior));
+        // Total internal reflection throws back all light, as povray's pictures show, whatever the pigment is.
         real cos_mirror = cos_in;
         if (FEATURE(FEATURE_NORMALS)) cos_mirror = -dot(layered.mirror, incoming);
-        mask total = mask_and(eta * eta * (1.0f - cos_mirror * cos_mirror) >= real(1.0f), mask(!for_shadow));
-        lobes.reflectance = select(here, reflectance + select(total, above, black), lobes.reflectance);
+        mask total = lobes.eta * lobes.eta * (1.0f - cos_mirror * cos_mirror) >= real(1.0f);
+        total = mask_and(total, mask(!for_shadow));
+        total = mask_and(total, max(above.x, max(above.y, above.z)) > real(0.0f));
+        lobes.reflectance = select(here, select(total, real3(real(1.0f)), reflectance), lobes.reflectance);
         lobes.transmittance = select(here, select(total, black, above), lobes.transmittance);
-        lobes.eta = select(here, eta, lobes.eta);
     }
 }
 
@@ -194,35 +195,6 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patter
             }
         }
     }
-}
-
-/// Share of light, per channel, that gets through `distance` of the inside of what a ray leaves here; 1 where it
-/// doesn't come from inside, or the inside is clear (reference, section 3.5.7.3 "Attenuation").
-FN real3 inside_transmittance(SCENE Surface s, real distance, mask found) {
-    real3 white = real3(real(1.0f));
-    real3 passes = white;
-    word flags = FIELD(materials, s.material, flags);
-    mask todo = mask_and(mask_and(found, s.from_behind), (flags & word(MATERIAL_PATTERNED)) != word(0u));
-    if (!any_lane(todo)) return passes;
-    word index = FIELD(materials, s.material, patterned);
-    while (any_lane(todo)) {
-        uint i = first_lane(todo, index);
-        mask here = mask_and(todo, index == word(i));
-        todo = mask_and(todo, mask_not(here));
-        PatternedMaterial m = AT(patterned, i);
-        if (m.fade_power > 0.0f) {
-            real depth = distance * (1.0f / max(m.fade_distance, 1e-20f));
-            real clear;
-            if (m.fade_power >= 1000.0f) {
-                clear = exp2_clamped(depth * -1.44269504f);
-            } else {
-                clear = 1.0f / (1.0f + power(depth, real(m.fade_power)));
-            }
-            real3 dimmed = real3(m.fade_color) + (white - real3(m.fade_color)) * clear;
-            passes = select(here, dimmed, passes);
-        }
-    }
-    return passes;
 }
 
 KERNEL_END

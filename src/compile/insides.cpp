@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/insides.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "solids/compiled_solid.h"
+
+namespace sundog {
+namespace {
+
+Vec3d to_vec3d(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
+
+class InsideFinder {
+public:
+    InsideFinder(const RenderScene& scene, Vec3d point) : scene_(scene), point_(point) {}
+
+    std::vector<std::uint32_t> find() {
+        for (const kernel::Geometry& g : scene_.geometries) {
+            if (g.instance != kernel::NONE) continue;
+            for (std::uint32_t i = g.first_primitive; i < g.first_primitive + g.primitive_count; ++i)
+                add_primitive(g, i);
+        }
+        for (const PlacedSolid& placed : scene_.solids) {
+            const std::vector<std::uint32_t>& materials = placed.solid->materials();
+            if (!materials.empty() && placed.solid->inside(point_)) add(materials.front());
+        }
+        // In a solid there are no media, whatever else holds the point.
+        std::stable_partition(found_.begin(), found_.end(), [](std::uint32_t m) { return m == kernel::MEDIUM_SOLID; });
+        return found_;
+    }
+
+private:
+    void add_primitive(const kernel::Geometry& g, std::uint32_t i) {
+        if (g.kind == kernel::GEOMETRY_SPHERE) {
+            const kernel::Sphere& sphere = scene_.spheres[i];
+            if (length(point_ - to_vec3d(sphere.center)) < sphere.radius) add(sphere.material);
+        } else if (g.kind == kernel::GEOMETRY_BOX) {
+            const kernel::Box& box = scene_.boxes[i];
+            const Vec3d lower = to_vec3d(box.lower), upper = to_vec3d(box.upper);
+            if (point_.x > lower.x && point_.y > lower.y && point_.z > lower.z && point_.x < upper.x &&
+                point_.y < upper.y && point_.z < upper.z)
+                add(box.material);
+        } else if (g.kind == kernel::GEOMETRY_PLANE) {
+            const kernel::Plane& plane = scene_.planes[i];
+            if (dot(to_vec3d(plane.normal), point_) < plane.offset) add(plane.material);
+        }
+    }
+
+    void add(std::uint32_t material) {
+        const kernel::Material& m = scene_.materials[material];
+        if ((m.flags & kernel::MATERIAL_PATTERNED) == 0) return;
+        const std::uint32_t medium = scene_.patterned[m.patterned].medium;
+        if (medium == kernel::NONE) return;
+        // Two parts that share one interior: see insides_beyond() in kernel/atmosphere/insides.h.
+        const auto known = std::find(found_.begin(), found_.end(), medium);
+        if (known == found_.end() || medium == kernel::MEDIUM_SOLID) found_.push_back(medium);
+        else found_.erase(known);
+    }
+
+    const RenderScene& scene_;
+    Vec3d point_;
+    std::vector<std::uint32_t> found_;
+};
+
+}  // namespace
+
+void set_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out) {
+    const std::vector<std::uint32_t> found = InsideFinder(scene, point).find();
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = i < found.size() ? found[i] : kernel::NONE;
+}
+
+}  // namespace sundog

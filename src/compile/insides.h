@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a point is inside of.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/vec3d.h"
+#include "device/render_scene.h"
+
+namespace sundog {
+
+/// Fills `out` with PatternedMaterial::medium of what holds a point at rest, NONE behind; solids first. What finds no
+/// place in it is left out. Meshes of plain triangles have no inside.
+void set_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out);
+
+}  // namespace sundog

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which interiors a ray is in, and what they do to it (POV-Ray's reference, section 3.4.7 "Interior"). A ray keeps a
+// short list: it grows where the ray enters an object, and shrinks where it leaves one, in whatever order.
+#ifndef SUNDOG_KERNEL_MATERIALS_INTERIOR_H
+#define SUNDOG_KERNEL_MATERIALS_INTERIOR_H
+
+#include "kernel/materials/surface.h"
+
+KERNEL_BEGIN
+
+/// Up to four indices into `interiors`, of 16 bits each, the innermost in the lowest bits of `inner`; 0 for none. An
+/// entry that a fifth one pushes out is forgotten.
+struct Insides {
+    word inner;
+    word outer;
+};
+
+FN Insides no_insides() {
+    Insides none;
+    none.inner = word(0u);
+    none.outer = word(0u);
+    return none;
+}
+
+/// Number `i` (0: the innermost) of a list.
+FN word inside_at(Insides list, uint i) {
+    word pair = i < 2u ? list.inner : list.outer;
+    return (pair >> ((i & 1u) * 16u)) & word(65535u);
+}
+
+/// The place of an interior in a list; 4 where it isn't there. Interior 0 never is.
+FN word place_of_inside(Insides list, word interior) {
+    word place = word(4u);
+    for (uint k = 0u; k < 4u; k = k + 1u) {
+        uint i = 3u - k;
+        place = select(inside_at(list, i) == interior, word(i), place);
+    }
+    return select(interior == word(0u), word(4u), place);
+}
+
+/// The list after entering an interior.
+FN Insides insides_with(Insides list, word interior) {
+    Insides more;
+    more.outer = (list.outer << 16u) | (list.inner >> 16u);
+    more.inner = (list.inner << 16u) | interior;
+    return more;
+}
+
+/// The list without its entry number `place`; as it is where that is 4.
+FN Insides insides_without(Insides list, word place) {
+    Insides fewer;
+    // From the entry on, all move down by one.
+    word first = select(place == word(0u), list.inner >> 16u, list.inner & word(65535u));
+    word second = select(place < word(2u), list.outer & word(65535u), list.inner >> 16u);
+    word third = select(place < word(3u), list.outer >> 16u, list.outer & word(65535u));
+    mask some = place < word(4u);
+    fewer.inner = select(some, first | (second << 16u), list.inner);
+    fewer.outer = select(some, third, list.outer);
+    return fewer;
+}
+
+/// Index of refraction of the innermost interior of a list; 1 outside of all.
+FN real insides_ior(SCENE Insides list) {
+    word innermost = list.inner & word(65535u);
+    return FIELD(interiors, innermost, ior);
+}
+
+/// Share of light, per channel, that gets through `distance` of an interior (reference, section 3.4.7.3
+/// "Attenuation"). Interior 0, the open air, is clear.
+FN real3 interior_transmittance(SCENE word interior, real distance) {
+    real3 white = real3(real(1.0f));
+    real power_of = FIELD(interiors, interior, fade_power);
+    mask dims = power_of > real(0.0f);
+    if (!any_lane(dims)) return white;
+    real depth = distance / FIELD(interiors, interior, fade_distance);
+    real clear = 1.0f / (1.0f + power(depth, power_of));
+    clear = select(power_of >= real(1000.0f), exp2_clamped(depth * -1.44269504f), clear);
+    real3 color = FIELD(interiors, interior, fade_color);
+    return select(dims, color + (white - color) * clear, white);
+}
+
+/// The interior of the object that a surface is of, in the lanes of `layered`; 0 in others.
+FN word interior_of(SCENE Surface s, mask layered) {
+    word material = valid_index(layered, FIELD(materials, s.material, patterned));
+    return select(layered, FIELD(patterned, material, interior), word(0u));
+}
+
+/// What a ray meets at a surface of an object that has an interior.
+struct Crossing {
+    mask leaves;     ///< It is inside the object.
+    Insides behind;  ///< The list beyond the surface.
+};
+
+/// Triangles say by the list whether a ray is inside them: their winding is often wrong. Solids know it, so rays that
+/// start inside them leave them too.
+FN Crossing crossing_at(SCENE Surface s, word interior, Insides list) {
+    word place = place_of_inside(list, interior);
+    mask triangle = FIELD(geometries, s.geometry, kind) == word(GEOMETRY_TRIANGLES);
+    Crossing crossing;
+    crossing.leaves = select_mask(triangle, place < word(4u), s.from_behind);
+    Insides with = insides_with(list, interior);
+    Insides without = insides_without(list, place);
+    mask enters = mask_and(mask_not(crossing.leaves), interior != word(0u));
+    crossing.behind.inner = select(enters, with.inner, without.inner);
+    crossing.behind.outer = select(enters, with.outer, without.outer);
+    return crossing;
+}
+
+/// Index of refraction in front of the surface over the one behind it; 1 at objects without an interior.
+FN real crossing_eta(SCENE Crossing crossing, word interior, Insides list) {
+    real own = FIELD(interiors, interior, ior);
+    real entering = insides_ior(SCENE_ list) / own;
+    real leaving = own / insides_ior(SCENE_ crossing.behind);
+    real eta = select(crossing.leaves, leaving, entering);
+    return select(interior == word(0u), real(1.0f), eta);
+}
+
+/// What a ray's way of length `distance` to the surface s does to its light: all interiors that it is in dim it. One
+/// that started inside a solid knows that only when it leaves it.
+FN real3 inside_transmittance(SCENE Insides list, word interior, mask leaves, real distance) {
+    real3 passes = real3(real(1.0f));
+    for (uint i = 0u; i < 4u; i = i + 1u) {
+        word inside = inside_at(list, i);
+        if (!any_lane(inside != word(0u))) break;
+        passes = passes * interior_transmittance(SCENE_ inside, distance);
+    }
+    mask unknown = mask_and(leaves, place_of_inside(list, interior) == word(4u));
+    return passes * interior_transmittance(SCENE_ select(unknown, interior, word(0u)), distance);
+}
+
+KERNEL_END
+
+#endif

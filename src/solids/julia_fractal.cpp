@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slices of Julia sets of numbers of four parts (POV-Ray reference, section 3.4.5.1.7): inside where no h(n+1) =
+// f(h(n)) + p, up to the last iteration, leaves the ball of radius 4. A ray goes on by estimates of how far the surface
+// is (Hart, Sandin and Kauffman 1989), the changes between two steps are halved down.
+#include <cmath>
+#include <vector>
+
+#include "solids/four_numbers.h"
+#include "solids/shape.h"
+
+namespace sundog::solids {
+namespace {
+
+constexpr double kEscape = 4;
+
+class JuliaFractal final : public Shape {
+public:
+    explicit JuliaFractal(const scene::JuliaFractal& j)
+        : j_(j),
+          // As POV-Ray 3.7's pictures show, hypercomplex sequences end one number earlier.
+          iterations_(j.hypercomplex ? j.max_iteration - 1 : j.max_iteration),
+          algebraic_(j.function == scene::JuliaFractal::Function::sqr ||
+                     j.function == scene::JuliaFractal::Function::cube),
+          exponent_(j.exponent[0], j.exponent[1]),
+          parameter_pair_(FourNumber{j.parameter}),
+          finest_(0.125 / std::max(j.precision, 1.0)),
+          coarsest_(j.hypercomplex ? std::max(1 / std::max(j.precision, 1.0), 0.02) : 0.25) {
+        for (double level = std::log(kEscape); levels_.size() <= static_cast<std::size_t>(iterations_);
+             level /= j.function == scene::JuliaFractal::Function::cube ? 3 : 2)
+            levels_.push_back(level);
+        const double length_of_normal = std::sqrt(solids::squared(FourNumber{j.slice}));
+        for (std::size_t i = 0; i < 4; ++i) normal_[i] = j.slice[i] / length_of_normal;
+        radius_ = reach();
+    }
+
+    bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        return march(ray, range, out, false);
+    }
+    bool first_crossing(const Ray& ray, Range range, CrossingList& out) const override {
+        return march(ray, range, out, true);
+    }
+    [[nodiscard]] bool inside(Vec3d p) const override { return dot(p, p) <= radius_ * radius_ && probe(p).inside; }
+    [[nodiscard]] Vec3d normal(Vec3d p, const Crossing&) const override {
+        if (dot(p, p) > radius_ * radius_ * (1 - 1e-9)) return p;
+        const Vec3d n = j_.hypercomplex ? hypercomplex_slope(p) : quaternion_slope(p);
+        return is_finite(n) && dot(n, n) > 0 ? n : p;
+    }
+    [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
+        return transformed(m, {{-radius_, -radius_, -radius_}, {radius_, radius_, radius_}});
+    }
+
+private:
+    struct Probe {
+        bool inside = false;
+        double step = 0;  ///< How far the surface is, about.
+    };
+
+    /// The point of the slice above p.
+    [[nodiscard]] FourNumber lifted(Vec3d p) const {
+        return {p.x, p.y, p.z, (j_.distance - normal_[0] * p.x - normal_[1] * p.y - normal_[2] * p.z) / normal_[3]};
+    }
+    /// How the slice's fourth part changes with x, y, z.
+    [[nodiscard]] std::array<FourNumber, 3> tangents() const {
+        return {FourNumber{1, 0, 0, -normal_[0] / normal_[3]}, FourNumber{0, 1, 0, -normal_[1] / normal_[3]},
+                FourNumber{0, 0, 1, -normal_[2] / normal_[3]}};
+    }
+    /// How far from the origin the inside can be.
+    [[nodiscard]] double reach() const {
+        const double p = std::sqrt(solids::squared(FourNumber{j_.parameter}));
+        using Function = scene::JuliaFractal::Function;
+        // Squares and cubes of what is inside lie within 4 + |p|; hypercomplex ones can be up to twice as large.
+        const double power = (kEscape + p) * (j_.hypercomplex ? 4 : 1);
+        if (j_.function == Function::sqr) return std::min(std::sqrt(power), kEscape);
+        if (j_.function == Function::cube) return std::min(std::cbrt(power), kEscape);
+        return kEscape;
+    }
+
+    [[nodiscard]] FourNumber quaternion_next(const FourNumber& h) const {
+        const double vector = h[1] * h[1] + h[2] * h[2] + h[3] * h[3];
+        double real = 0;
+        double factor = 0;
+        if (j_.function == scene::JuliaFractal::Function::cube) {
+            real = h[0] * (h[0] * h[0] - 3 * vector);
+            factor = 3 * h[0] * h[0] - vector;
+        } else {
+            real = h[0] * h[0] - vector;
+            factor = 2 * h[0];
+        }
+        return {real + j_.parameter[0], factor * h[1] + j_.parameter[1], factor * h[2] + j_.parameter[2],
+                factor * h[3] + j_.parameter[3]};
+    }
+
+    [[nodiscard]] Probe probe(Vec3d p) const { return j_.hypercomplex ? hypercomplex_probe(p) : quaternion_probe(p); }
+
+    [[nodiscard]] Probe quaternion_probe(Vec3d p) const {
+        FourNumber h = lifted(p);
+        const bool cube = j_.function == scene::JuliaFractal::Function::cube;
+        double slope = 1;
+        double size = solids::squared(h);
+        int n = 0;
+        for (; n < iterations_ && size <= kEscape * kEscape; ++n) {
+            slope *= cube ? 3 * size : 2 * std::sqrt(size);
+            h = quaternion_next(h);
+            size = solids::squared(h);
+        }
+        size = std::sqrt(size);
+        if (size <= kEscape) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
+        // By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
+        const double potential = std::log(size);
+        return {false, size * (potential - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
+    }
+
+    [[nodiscard]] Probe hypercomplex_probe(Vec3d p) const {
+        ComplexPair h(lifted(p));
+        double slope = 1;
+        double size = h.squared();
+        for (int n = 0; n < iterations_ && size <= kEscape * kEscape; ++n) {
+            if (!algebraic_) {
+                h.u = julia_value(j_.function, h.u, exponent_) + parameter_pair_.u;
+                h.v = julia_value(j_.function, h.v, exponent_) + parameter_pair_.v;
+                size = h.squared();
+                continue;
+            }
+            const ComplexValue u = julia_function(j_.function, h.u, exponent_);
+            const ComplexValue v = julia_function(j_.function, h.v, exponent_);
+            slope *= std::sqrt(std::max(std::norm(u.slope), std::norm(v.slope)));
+            h.u = u.value + parameter_pair_.u;
+            h.v = v.value + parameter_pair_.v;
+            size = h.squared();
+        }
+        if (!algebraic_) return {size <= kEscape * kEscape, 2 * coarsest_};
+        if (!(size <= kEscape * kEscape)) return {false, (std::sqrt(size) - kEscape) / slope};
+        return {true, (kEscape - std::sqrt(size)) / slope};
+    }
+
+    /// The slope of |h|^2 at the iteration that comes nearest to the surface.
+    [[nodiscard]] Vec3d quaternion_slope(Vec3d p) const {
+        FourNumber h = lifted(p);
+        std::array<FourNumber, 3> by = tangents();
+        const bool cube = j_.function == scene::JuliaFractal::Function::cube;
+        for (int n = 0; n < iterations_ && squared_under_escape(solids::squared(h)); ++n) {
+            for (FourNumber& d : by) {
+                const FourNumber a = quaternion_product(h, d);
+                const FourNumber b = quaternion_product(d, h);
+                FourNumber sum{a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
+                if (cube) {  // h*h*d + h*d*h + d*h*h
+                    const FourNumber hhd = quaternion_product(h, a);
+                    const FourNumber hdh = quaternion_product(a, h);
+                    const FourNumber dhh = quaternion_product(b, h);
+                    for (std::size_t i = 0; i < 4; ++i) sum[i] = hhd[i] + hdh[i] + dhh[i];
+                }
+                d = sum;
+            }
+            h = quaternion_next(h);
+        }
+        const auto along = [&](const FourNumber& d) { return h[0] * d[0] + h[1] * d[1] + h[2] * d[2] + h[3] * d[3]; };
+        return scaled({along(by[0]), along(by[1]), along(by[2])});
+    }
+
+    [[nodiscard]] Vec3d hypercomplex_slope(Vec3d p) const {
+        ComplexPair h(lifted(p));
+        std::complex<double> by_u = 1;
+        std::complex<double> by_v = 1;
+        for (int n = 0; n < iterations_ && squared_under_escape(h.squared()); ++n) {
+            const ComplexValue u = julia_function(j_.function, h.u, exponent_);
+            const ComplexValue v = julia_function(j_.function, h.v, exponent_);
+            by_u *= u.slope;
+            by_v *= v.slope;
+            h.u = u.value + parameter_pair_.u;
+            h.v = v.value + parameter_pair_.v;
+        }
+        Vec3d slope;
+        const std::array<FourNumber, 3> along = tangents();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const ComplexPair d(along[i]);
+            slope[i] = std::real(std::conj(h.u) * by_u * d.u) + std::real(std::conj(h.v) * by_v * d.v);
+        }
+        return scaled(slope);
+    }
+    /// Points of the surface may be found a little outside or inside.
+    static bool squared_under_escape(double size) { return size <= kEscape * kEscape * (1 - 1e-6); }
+    /// Slopes grow with every iteration; of them only the direction counts.
+    static Vec3d scaled(Vec3d v) {
+        const double most = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+        return most > 0 && std::isfinite(most) ? v * (1 / most) : v;
+    }
+
+    bool march(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
+        const double a = dot(ray.direction, ray.direction);
+        const double middle = -dot(ray.origin, ray.direction) / a;
+        const Vec3d nearest = ray.at(middle);
+        const double room = radius_ * radius_ - dot(nearest, nearest);
+        if (!(room > 0)) return false;
+        const double half = std::sqrt(room / a);
+        const Range within{std::max(middle - half, range.lower), std::min(middle + half, range.upper)};
+        if (!(within.lower < within.upper)) return false;
+        const double unit = 1 / std::sqrt(a);
+
+        Probe here = probe(ray.at(within.lower));
+        const bool starts_inside = middle - half <= range.lower && here.inside;
+        if (here.inside && !starts_inside && range.contains(within.lower)) {
+            out.push_back({within.lower});  // the ball's own surface
+            if (only_first) return false;
+        }
+        double t = within.lower;
+        while (t < within.upper) {
+            const double wanted = 0.5 * here.step;
+            const double step = std::clamp(wanted > 0 ? wanted : finest_, finest_, coarsest_) * unit;
+            const double next = std::min(t + step, within.upper);
+            if (!(next > t)) break;
+            const Probe there = probe(ray.at(next));
+            if (there.inside != here.inside) {
+                const double place = change_between(ray, t, next, here.inside);
+                if (range.contains(place)) out.push_back({place});
+                if (only_first && !out.empty()) return starts_inside;
+            }
+            t = next;
+            here = there;
+        }
+        const bool was_inside = here.inside;
+        // What is still inside ends with the ball.
+        if (was_inside && middle + half <= range.upper && range.contains(middle + half)) out.push_back({middle + half});
+        return starts_inside;
+    }
+    [[nodiscard]] double change_between(const Ray& ray, double a, double b, bool a_inside) const {
+        for (int i = 0; i < 60; ++i) {
+            const double t = 0.5 * (a + b);
+            if (!(t > a && t < b)) break;
+            (probe(ray.at(t)).inside == a_inside ? a : b) = t;
+        }
+        return b;
+    }
+
+    scene::JuliaFractal j_;
+    int iterations_;
+    bool algebraic_;  ///< A function without edges, whose slope tells how far the surface is.
+    std::complex<double> exponent_;
+    ComplexPair parameter_pair_;
+    double finest_, coarsest_;    ///< Steps along a ray.
+    std::vector<double> levels_;  ///< ln 4 / 2^k (3^k of cubes): the surface's potential k numbers before the last.
+    FourNumber normal_{};
+    double radius_ = kEscape;
+};
+
+}  // namespace
+
+ShapePointer make_shape(const scene::JuliaFractal& fractal, const SourceLocation& where) {
+    if (fractal.slice[3] == 0) refuse_shape(where, "a julia_fractal's slice must have a fourth component other than 0");
+    using Function = scene::JuliaFractal::Function;
+    if (!fractal.hypercomplex && fractal.function != Function::sqr && fractal.function != Function::cube)
+        refuse_shape(where, "quaternions have the functions sqr and cube alone", "write hypercomplex");
+    return std::make_shared<JuliaFractal>(fractal);
+}
+
+}  // namespace sundog::solids

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.3 } }
+media { absorption <0.02, 0.05, 0.1> emission <0.02, 0.01, 0> }
+plane { -z, -20 pigment { rgb <0.4, 0.6, 0.9> } hollow }
+sphere { 0, 0.7 pigment { rgbt <1, 1, 1, 0.8> } interior { ior 1.3 } }

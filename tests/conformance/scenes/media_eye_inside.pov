@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.3 } }
+sphere { <0, 1.5, -5>, 6 pigment { rgbt 1 } hollow interior { media { absorption <0.05, 0.1, 0.2> emission 0.02 } } }
+sphere { 0, 0.7 pigment { rgb <0.9, 0.2, 0.1> } finish { reflection 0.4 } }

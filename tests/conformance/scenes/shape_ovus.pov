@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -5> look_at <0, 0.3, 0> }
+light_source { <4, 7, -8>, rgb 1 }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.3 } }
+ovus { 0.8, 0.4 rotate -20*z translate -1*x pigment { rgb <0.9, 0.4, 0.2> } finish { phong 0.6 } }
+difference { ovus { 0.5, 0.7 } plane { -z, 0.1 } translate 1.1*x pigment { rgb <0.4, 0.8, 0.3> } }
