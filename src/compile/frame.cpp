@@ -6,8 +6,8 @@
 
 #include "compile/compile.h"
 #include "compile/convert.h"
-#include "compile/insides.h"
 #include "compile/lights.h"
+#include "compile/media_insides.h"
 
 namespace sundog {
 namespace {
@@ -189,9 +189,9 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     if (frame.camera_normal != kernel::NONE) params.features |= kernel::FEATURE_NORMALS;
     params.atmosphere = compiled.atmosphere;
     std::fill(std::begin(params.eye_insides), std::end(params.eye_insides), kernel::NONE);
-    if (params.features & kernel::FEATURE_MEDIA) {
+    if (params.features & kernel::FEATURE_HOLLOW) {
         const kernel::vec3 eye = params.camera.eye;
-        set_insides(compiled, {eye.x, eye.y, eye.z}, params.eye_insides);
+        set_media_insides(compiled, {eye.x, eye.y, eye.z}, params.eye_insides);
     }
     if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
         params.features |= kernel::FEATURE_LIGHT_SHAPES;

@@ -75,7 +75,8 @@ public:
             double sum = 0;
             for (int column = 0; column < kSide; ++column) {
                 const auto c = evaluator.color(0, (column + 0.5) / kSide, (row + 0.5) / kSide, 0);
-                sum += std::max(0.0, 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]);
+                const auto part = [&](std::size_t i) { return static_cast<float>(c[i]); };
+                sum += std::max(0.0F, kernel::gray_of({part(0), part(1), part(2)}));
                 up_to_column_[index(row, column)] = static_cast<float>(sum);
             }
             total += sum;

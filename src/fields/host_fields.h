@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "kernel/compat/cpp.h"
+#include "kernel/patterns/host_fields.h"
 #include "scene/pattern.h"
 #include "scene/scene.h"
 

@@ -84,6 +84,9 @@ FN real sine(real x) {
     return select(odd > real(0.5f), -s, s);
 }
 
+/// POV-Ray's grey of a colour: weights of red, green and blue as its pictures show them.
+FN real gray_of(real3 color) { return color.x * 0.297f + color.y * 0.589f + color.z * 0.114f; }
+
 /// Cosine of x radians; as exact as sine.
 FN real cosine(real x) { return sine(x + 1.57079633f); }
 

@@ -201,7 +201,9 @@ KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden fr
 KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
 
 KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
-KERNEL_CONST uint FEATURE_MEDIA = 1u << 22u;     ///< Media; or fog, and something that isn't hollow.
+KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
+KERNEL_CONST uint FEATURE_HOLLOW =
+    4194304u;  ///< Media; or fog, and something that isn't hollow: rays keep MediaInsides.
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
@@ -215,7 +217,7 @@ KERNEL_CONST uint MAX_BRANCHES = 16u;
 KERNEL_CONST uint MAX_SHADOW_SURFACES = 32u;
 
 /// Interiors with media, or solids, that a ray's origin may be inside of at a time; further ones are not noticed.
-KERNEL_CONST uint MAX_INSIDES = 4u;
+KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
 /// PatternedMaterial::medium of what is not hollow.
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
@@ -393,8 +395,9 @@ struct FrameParams {
     float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
                           ///< scenes whose numbers are sRGB-encoded.
     uint seed;
-    uint atmosphere;                ///< Media that are everywhere: a list of them in `code`, or NONE.
-    uint eye_insides[MAX_INSIDES];  ///< What the eye is inside of: PatternedMaterial::medium, NONE in free places.
+    uint atmosphere;  ///< Media that are everywhere: a list of them in `code`, or NONE.
+    uint
+        eye_insides[MAX_MEDIA_INSIDES];  ///< What the eye is inside of: PatternedMaterial::medium, NONE in free places.
 };
 
 /// FrameParams::aovs, and Film's planes.

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "output/image.h"
+#include "output/indices.h"
 
 namespace sundog::output {
 
@@ -55,6 +57,9 @@ Decoded decode(Bytes bytes, std::size_t bytes_per_pixel);
 // Each format's pair. Encoders get a picture that has pixels, and throw OutputError; decoders throw DecodeError.
 std::string encode_png(const Image& image, const Encoding& encoding);
 Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel);
+/// The palette's numbers; nothing if there is no palette.
+std::optional<IndexedImage> decode_png_indices(Bytes bytes);
+IndexedImage decode_gif_indices(Bytes bytes);
 std::string encode_jpeg(const Image& image, const Encoding& encoding);
 Decoded decode_jpeg(Bytes bytes, std::size_t bytes_per_pixel);
 std::string encode_exr(const Image& image, const std::vector<Layer>& layers);

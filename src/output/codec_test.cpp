@@ -131,6 +131,27 @@ TEST(Codec, DamagedFilesAreReadOrRefused) {
     }
 }
 
+// Catches colours instead of a palette's numbers, packed bits left packed, a wrong order of interlaced rows; cut or
+// damaged files that crash, hang or are filled up; and palettes found where there is none.
+TEST(Codec, ReadsNumbersOfPalettes) {
+    const std::vector<std::uint8_t> expected{0, 1, 2, 3};
+    const std::string gif = from_hex(kGif.hex);
+    const std::string png = from_hex(kPalettePng.hex);
+    EXPECT_EQ(decode_gif_indices(bytes_of(gif)).indices, expected);
+    EXPECT_EQ(decode_png_indices(bytes_of(png)).value().indices, expected);
+    EXPECT_FALSE(decode_png_indices(bytes_of(from_hex(kDeepPng.hex))));
+    for (std::size_t size = 0; size + 4 < gif.size(); ++size)
+        EXPECT_THROW(decode_gif_indices(bytes_of(gif.substr(0, size))), DecodeError) << size;
+    for (std::size_t i = 0; i < gif.size(); ++i) {
+        std::string damaged = gif;
+        damaged[i] = static_cast<char>(~static_cast<unsigned char>(damaged[i]));
+        try {
+            EXPECT_FALSE(decode_gif_indices(bytes_of(damaged)).indices.empty());
+        } catch (const DecodeError&) {
+        }
+    }
+}
+
 void replace_bytes(std::string& bytes, std::size_t at, const std::string& by) { bytes.replace(at, by.size(), by); }
 
 /// CRC-32 of a PNG chunk (ISO 3309).

@@ -46,20 +46,27 @@ std::string lower_case_ending(const fs::path& file) {
     return ending;
 }
 
+constexpr std::string_view kPngMagic = "\x89PNG\r\n\x1a\n";
+
 bool starts_with(Bytes bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
-/// Reads and decodes, and turns what goes wrong into an InputError with the file's name.
-Decoded read_decoded(const fs::path& file, std::size_t bytes_per_pixel) {
+/// Reads a file and calls decode(its bytes); turns what goes wrong into an InputError with the file's name.
+template <class Decode>
+auto read_and(const fs::path& file, const Decode& decode) {
     const std::vector<unsigned char> bytes = read_file(file);
     try {
-        return decode(bytes, bytes_per_pixel);
+        return decode(Bytes(bytes));
     } catch (const DecodeError& error) {
         fail_to_read(file, error.what());
     } catch (const std::bad_alloc&) {
         fail_to_read(file, "there is too little memory for the picture");
     }
+}
+
+Decoded read_decoded(const fs::path& file, std::size_t bytes_per_pixel) {
+    return read_and(file, [&](Bytes bytes) { return decode(bytes, bytes_per_pixel); });
 }
 
 }  // namespace
@@ -82,7 +89,7 @@ void check_plausible(std::uint64_t width, std::uint64_t height, std::size_t file
 
 Decoded decode(Bytes bytes, std::size_t bytes_per_pixel) {
     if (bytes.empty()) throw DecodeError("the file is empty");
-    if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return decode_png(bytes, bytes_per_pixel);
+    if (starts_with(bytes, kPngMagic)) return decode_png(bytes, bytes_per_pixel);
     if (starts_with(bytes, "\xFF\xD8\xFF")) return decode_jpeg(bytes, bytes_per_pixel);
     if (starts_with(bytes, "\x76\x2F\x31\x01")) return decode_exr(bytes, bytes_per_pixel);
     if (starts_with(bytes, "#?RADIANCE") || starts_with(bytes, "#?RGBE"))
@@ -188,6 +195,14 @@ Rgba8 read_rgba8(const fs::path& file) {
                             static_cast<std::uint32_t>(code[2]) << 16 | 0xFF000000U;
     }
     return texture;
+}
+
+std::optional<IndexedImage> read_indices(const fs::path& file) {
+    return read_and(file, [](Bytes bytes) -> std::optional<IndexedImage> {
+        if (starts_with(bytes, kPngMagic)) return decode_png_indices(bytes);
+        if (starts_with(bytes, "GIF8")) return decode_gif_indices(bytes);
+        return std::nullopt;
+    });
 }
 
 }  // namespace sundog::output

@@ -15,8 +15,8 @@ struct IndexedImage {
     std::vector<std::uint8_t> indices;
 };
 
-/// The palette's numbers of a GIF's first picture or of a PNG with a palette; nothing for other files, also for damaged
-/// ones.
+/// The palette's numbers of a GIF's first picture or of a PNG with a palette; nothing for other files. Errors:
+/// InputError for one that can't be read or is damaged.
 std::optional<IndexedImage> read_indices(const std::filesystem::path& file);
 
 }  // namespace sundog::output

@@ -141,6 +141,16 @@ bool prepare_rows(Reader& reader) {
     return true;
 }
 
+/// Asks libpng for the palette's numbers, a byte each. False if there is no palette, too.
+bool prepare_indices(Reader& reader) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_set_packing(reader.png);
+    reader.passes = png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    return png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_PALETTE &&
+           png_get_rowbytes(reader.png, reader.info) == reader.width;
+}
+
 bool read_row(Reader& reader, png_bytep row) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_read_row(reader.png, row, nullptr);
@@ -203,6 +213,20 @@ Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel) {
     else read_pixels(reader, decoded.rgba8, std::size_t{reader.width});
     require(read_end(reader), reader);
     return decoded;
+}
+
+std::optional<IndexedImage> decode_png_indices(Bytes bytes) {
+    Reader reader(bytes);
+    if (reader.info == nullptr) throw std::bad_alloc();
+    require(read_header(reader), reader);
+    check_size(reader.width, reader.height, 1);
+    check_plausible(reader.width, reader.height, bytes.size(), kBestDeflateRatio * 8);
+    if (!prepare_indices(reader)) return std::nullopt;
+    IndexedImage image;
+    image.width = reader.width;
+    image.height = reader.height;
+    read_pixels(reader, image.indices, std::size_t{reader.width});
+    return image;
 }
 
 }  // namespace sundog::output

@@ -2,6 +2,7 @@
 // Compiled once for each width (SUNDOG_KERNEL_LANES); call_lanes_N is the name of the function here.
 #include "call_lanes.h"
 
+#include "device/cpu/tile_kernel.h"
 #include "parity/kernel_calls.h"
 
 namespace sundog::parity {
@@ -17,28 +18,13 @@ constexpr std::size_t kWidth = kLanes;
 auto& lane_of(real& value, std::size_t lane) { return reinterpret_cast<std::array<float, kLanes>&>(value.v)[lane]; }
 #endif
 
-SceneView view_of(const RenderScene& scene, const Frame& frame) {
-    SceneView view;
-    view.frame = frame.params;
-#define KERNEL_ARRAYS_SCENE_ONLY
-#define KERNEL_ARRAY(type, name, binding) view.name = scene.name.data();
-#include "kernel/arrays.h"
-#undef KERNEL_ARRAY
-#undef KERNEL_ARRAYS_SCENE_ONLY
-    view.lights = frame.lights.data();
-    view.instances = frame.instances.data();
-    view.traversal = nullptr;
-    view.host_fields = scene.host_fields.get();
-    return view;
-}
-
 }  // namespace
 
 void SUNDOG_KERNEL_PASTE(call_lanes_,
                          SUNDOG_KERNEL_LANES)(const RenderScene& render_scene, const Frame& frame,
                                               std::uint32_t function, std::span<const UniformValues> uniforms,
                                               std::span<const CallValues> arguments, std::span<CallValues> results) {
-    const SceneView scene = view_of(render_scene, frame);
+    const SceneView scene = cpu::view_of(render_scene, frame, nullptr);
     for (std::size_t first = 0; first < arguments.size(); first += kWidth) {
         Varying values;
         for (std::size_t lane = 0; lane < kWidth; ++lane) {

@@ -96,7 +96,7 @@ Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKern
     scene_.frame.aovs = kernel::AOV_DEPTH;
     if (!settings_.through_media) {
         scene_.frame.fog_count = 0;
-        scene_.frame.features &= ~kernel::FEATURE_MEDIA;
+        scene_.frame.features &= ~(kernel::FEATURE_MEDIA | kernel::FEATURE_HOLLOW);
     }
     // What the eye is inside of isn't where light is gathered.
     std::fill(std::begin(scene_.frame.eye_insides), std::end(scene_.frame.eye_insides), kernel::NONE);
@@ -167,7 +167,7 @@ IrradianceSample Radiosity::gather(const GatherPoint& point, int bounce, Task ta
 }
 
 Vec3 Radiosity::adjusted(Vec3 light) const {
-    const float gray = 0.297F * light.x + 0.589F * light.y + 0.114F * light.z;  // as pictures of povray's show it
+    const float gray = kernel::gray_of({light.x, light.y, light.z});
     const float grayness = settings_.gray_threshold;
     return (light * (1 - grayness) + Vec3{gray, gray, gray} * grayness) * settings_.brightness;
 }

@@ -44,75 +44,53 @@ std::string key_of(const LayeredTexture& texture) {
     return key;
 }
 
+/// A copy of what is shared, changed.
+template <class T, class Change>
+void change_copy(std::shared_ptr<const T>& shared, const Change& change) {
+    auto copy = std::make_shared<T>(*shared);
+    change(*copy);
+    shared = std::move(copy);
+}
+
 void set_uv_mapping(TextureLayer& layer) {
-    auto pigment = std::make_shared<Pigment>(*layer.pigment);
-    pigment->uv_mapping = true;
-    layer.pigment = std::move(pigment);
-    if (!layer.normal) return;
-    auto normal = std::make_shared<scene::Normal>(*layer.normal);
-    normal->uv_mapping = true;
-    layer.normal = std::move(normal);
+    const auto map = [](auto& part) { part.uv_mapping = true; };
+    change_copy(layer.pigment, map);
+    if (layer.normal) change_copy(layer.normal, map);
 }
 
 void keep_depth(TextureLayer& layer) {
     if (!layer.normal) return;
-    auto normal = std::make_shared<scene::Normal>(*layer.normal);
-    for (scene::PatternNormal& part : normal->parts) part.keeps_depth = true;
-    layer.normal = std::move(normal);
+    change_copy(layer.normal, [](scene::Normal& normal) {
+        for (scene::PatternNormal& part : normal.parts) part.keeps_depth = true;
+    });
 }
 
-}  // namespace
-
-namespace {
-
-void bend_texture(LayeredTexture& texture, const scene::Warp& warp) {
+/// Calls change_normal and change_pigment for all of a texture that lies in space.
+template <class ChangeNormal, class ChangePigment>
+void change_texture(LayeredTexture& texture, const ChangeNormal& change_normal, const ChangePigment& change_pigment) {
     if (texture.blended) {
-        auto blended = std::make_shared<LayeredTexture>(*texture.blended);
-        bend_texture(*blended, warp);
-        texture.blended = std::move(blended);
+        change_copy(texture.blended,
+                    [&](LayeredTexture& blended) { change_texture(blended, change_normal, change_pigment); });
     }
     for (TextureLayer& layer : texture.layers) {
-        if (layer.normal) {
-            auto normal = std::make_shared<scene::Normal>(*layer.normal);
-            bend_normal(*normal, warp);
-            layer.normal = std::move(normal);
-        }
-        if (layer.share) {
-            auto share = std::make_shared<Pigment>(*layer.share);
-            bend_pigment(*share, warp);
-            layer.share = std::move(share);
-        }
-        if (!is_positional(*layer.pigment)) continue;
-        auto bent = std::make_shared<Pigment>(*layer.pigment);
-        bend_pigment(*bent, warp);
-        layer.pigment = std::move(bent);
+        if (layer.normal) change_copy(layer.normal, change_normal);
+        if (layer.share) change_copy(layer.share, change_pigment);
+        if (is_positional(*layer.pigment)) change_copy(layer.pigment, change_pigment);
     }
+}
+
+void bend_texture(LayeredTexture& texture, const scene::Warp& warp) {
+    change_texture(
+        texture, [&](scene::Normal& normal) { bend_normal(normal, warp); },
+        [&](Pigment& pigment) { bend_pigment(pigment, warp); });
 }
 
 }  // namespace
 
 void move_texture(LayeredTexture& texture, const Affine3d& old_from_new) {
-    if (texture.blended) {
-        auto blended = std::make_shared<LayeredTexture>(*texture.blended);
-        move_texture(*blended, old_from_new);
-        texture.blended = std::move(blended);
-    }
-    for (TextureLayer& layer : texture.layers) {
-        if (layer.normal) {
-            auto normal = std::make_shared<scene::Normal>(*layer.normal);
-            move_normal(*normal, old_from_new);
-            layer.normal = std::move(normal);
-        }
-        if (layer.share) {
-            auto share = std::make_shared<Pigment>(*layer.share);
-            move_pigment(*share, old_from_new);
-            layer.share = std::move(share);
-        }
-        if (!is_positional(*layer.pigment)) continue;
-        auto moved = std::make_shared<Pigment>(*layer.pigment);
-        move_pigment(*moved, old_from_new);
-        layer.pigment = std::move(moved);
-    }
+    change_texture(
+        texture, [&](scene::Normal& normal) { move_normal(normal, old_from_new); },
+        [&](Pigment& pigment) { move_pigment(pigment, old_from_new); });
 }
 
 bool is_positional(const LayeredTexture& texture) {

@@ -4,7 +4,7 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 
-#include "kernel/atmosphere/insides.h"
+#include "kernel/atmosphere/media_insides.h"
 #include "kernel/patterns/program.h"
 
 KERNEL_BEGIN
@@ -68,7 +68,7 @@ FN MediaSampling media_sampling(SCENE MediaInsides insides, bool atmosphere, mas
     sampling.varies = false;
     sampling.scatters = false;
     if (atmosphere) add_sampling(SCENE_ FRAME.atmosphere, sampling);
-    for (uint i = 0u; i < MAX_INSIDES; i = i + 1u) {
+    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u) {
         mask todo = mask_and(active, insides.entry[i] < word(MEDIUM_SOLID));
         while (any_lane(todo)) {
             uint list = first_lane(todo, insides.entry[i]);
@@ -114,7 +114,7 @@ FN MediaPoint media_at(SCENE real3 p, MediaInsides insides, bool atmosphere, mas
     point.glow = real3(real(0.0f));
     scatterers.count = 0u;
     if (atmosphere) add_media(SCENE_ FRAME.atmosphere, p, active, point, scatterers);
-    for (uint i = 0u; i < MAX_INSIDES; i = i + 1u) {
+    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u) {
         mask todo = mask_and(active, insides.entry[i] < word(MEDIUM_SOLID));
         while (any_lane(todo)) {
             uint list = first_lane(todo, insides.entry[i]);
@@ -134,7 +134,7 @@ FN real3 dimmed_by(real3 x) {
 /// The lanes of `alive` in which there are any media.
 FN mask in_media(MediaInsides insides, bool atmosphere, mask alive) {
     mask somewhere = mask(atmosphere);
-    for (uint i = 0u; i < MAX_INSIDES; i = i + 1u)
+    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u)
         somewhere = mask_or(somewhere, insides.entry[i] < word(MEDIUM_SOLID));
     return mask_and(mask_and(alive, somewhere), mask_not(in_solid(insides)));
 }

@@ -46,23 +46,8 @@
 
 namespace sundog::kernel {
 
+class HostFields;
 class IndirectLight;
-
-/// A lane's PatternPoint (kernel/patterns/program.h).
-struct HostPoint {
-    vec3 p, normal, direction, world;
-};
-
-/// Fields (x of the answer), warps (points) and normals (what is added to them) that kernel/patterns/host.h asks for by
-/// number. Any number of threads may ask at once.
-class HostFields {
-public:
-    HostFields() = default;
-    HostFields(const HostFields&) = delete;
-    HostFields& operator=(const HostFields&) = delete;
-    virtual ~HostFields() = default;
-    [[nodiscard]] virtual vec3 at(uint index, const HostPoint& point) const = 0;
-};
 
 /// What the kernel sees of a RenderScene and a Frame: plain pointers to every array (kernel/arrays.h).
 struct SceneView {
@@ -71,7 +56,7 @@ struct SceneView {
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
     const void* traversal;                    ///< The device's own; the kernel never looks inside.
-    const HostFields* host_fields = nullptr;  ///< Set where some program asks.
+    const HostFields* host_fields = nullptr;  ///< Set where some program asks (kernel/patterns/host_fields.h).
     const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
     uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };

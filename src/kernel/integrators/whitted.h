@@ -34,7 +34,7 @@ struct PathState {
     word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
     mask alive;
     Insides insides;     ///< What it is inside of, as far as that is known.
-    MediaInsides media;  ///< If FEATURE_MEDIA: of what its origin is inside, whose media it passes.
+    MediaInsides media;  ///< If FEATURE_HOLLOW: of what its origin is inside, whose media it passes.
 };
 
 /// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
@@ -137,7 +137,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
         if (FEATURE(FEATURE_ATMOSPHERE)) {
             if (FRAME.fog_count > 0u) {
                 mask in_fog = path.alive;
-                if (FEATURE(FEATURE_MEDIA)) in_fog = mask_and(in_fog, mask_not(in_solid(path.media)));
+                if (FEATURE(FEATURE_HOLLOW)) in_fog = mask_and(in_fog, mask_not(in_solid(path.media)));
                 real3 dimmed = path.weight;
                 real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), dimmed);
                 radiance = radiance + select(in_fog, glow, black);
@@ -240,7 +240,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                             refracted_direction = select(bends, normalize(refracted_direction), incoming);
                             real3 behind = s.position - s.geometric_normal * s.error;
                             MediaInsides beyond = path.media;
-                            if (FEATURE(FEATURE_MEDIA)) beyond = insides_beyond(SCENE_ s, beyond, transmits);
+                            if (FEATURE(FEATURE_HOLLOW)) beyond = media_beyond(SCENE_ s, beyond, transmits);
                             if (any_lane(both)) {
                                 PathState branch;
                                 branch.ray.origin = behind;
@@ -258,7 +258,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                             }
                             next.origin = select(reflects, next.origin, behind);
                             next.direction = select(reflects, next.direction, refracted_direction);
-                            for (uint i = 0u; i < MAX_INSIDES; i = i + 1u)
+                            for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u)
                                 path.media.entry[i] = select(reflects, path.media.entry[i], beyond.entry[i]);
                         }
                     }

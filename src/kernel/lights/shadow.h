@@ -5,7 +5,7 @@
 #define SUNDOG_KERNEL_LIGHTS_SHADOW_H
 
 #include "kernel/atmosphere/fog.h"
-#include "kernel/atmosphere/insides.h"
+#include "kernel/atmosphere/media_insides.h"
 #include "kernel/lights/light.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
@@ -68,7 +68,7 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         transmittance = select(alive, transmittance * passes, transmittance);
         alive = mask_and(alive, max(transmittance.x, max(transmittance.y, transmittance.z)) > real(0.0f));
         if (!any_lane(alive)) return transmittance;
-        if (FEATURE(FEATURE_MEDIA)) insides = insides_beyond(SCENE_ s, insides, alive);
+        if (FEATURE(FEATURE_HOLLOW)) insides = media_beyond(SCENE_ s, insides, alive);
         // On from the far side of that surface; a lamp's distance shrinks by what was passed.
         ray.origin = s.position - s.geometric_normal * s.error;
         ray.t_max = ray.t_max - hit.t;

@@ -149,8 +149,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         // Total internal reflection throws back all light, as povray's pictures show, whatever the pigment is.
         real cos_mirror = cos_in;
         if (FEATURE(FEATURE_NORMALS)) cos_mirror = -dot(layered.mirror, incoming);
-        mask total = lobes.eta * lobes.eta * (1.0f - cos_mirror * cos_mirror) >= real(1.0f);
-        total = mask_and(total, mask(!for_shadow));
+        mask total = mask_and(is_total_reflection(cos_mirror, lobes.eta), mask(!for_shadow));
         total = mask_and(total, max(above.x, max(above.y, above.z)) > real(0.0f));
         lobes.reflectance = select(here, select(total, real3(real(1.0f)), reflectance), lobes.reflectance);
         lobes.transmittance = select(here, select(total, black, above), lobes.transmittance);

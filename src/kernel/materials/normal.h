@@ -11,9 +11,7 @@
 KERNEL_BEGIN
 
 /// A height program's answer: the grey of its colour.
-FN real pattern_height(SCENE uint program, PatternPoint at) {
-    return dot(run_program_at(SCENE_ program, at).rgb, real3(vec3(0.297f, 0.589f, 0.114f)));
-}
+FN real pattern_height(SCENE uint program, PatternPoint at) { return gray_of(run_program_at(SCENE_ program, at).rgb); }
 
 /// A fifteenth of twice the height's slope, by differences between the corners of a tetrahedron of radius `step`.
 FN real3 pattern_slope(SCENE uint program, PatternPoint at, float step) {

@@ -38,16 +38,23 @@ FN mask refract_direction(real3 incoming, real3 normal, real eta, OUT(real3) ref
     return sin2_out < real(1.0f);
 }
 
+/// True where nothing is refracted: only from the denser side. A grazing ray that no surface bends goes on.
+FN mask is_total_reflection(real cos_in, real eta) {
+    return mask_and(eta > real(1.0f), eta * eta * (1.0f - cos_in * cos_in) >= real(1.0f));
+}
+
 /// Unpolarised Fresnel reflectance of a dielectric (Born and Wolf, section 1.5); eta as above; 1 at total internal
-/// reflection.
+/// reflection, 0 at every angle where eta is 1.
 FN real fresnel_dielectric(real cos_in, real eta) {
     real c = min(abs(cos_in), real(1.0f));
     real sin2_out = eta * eta * (1.0f - c * c);
-    mask total = sin2_out >= real(1.0f);
+    mask total = is_total_reflection(c, eta);
     real cos_out = sqrt(max(1.0f - sin2_out, real(0.0f)));
     real parallel = (c - eta * cos_out) / (c + eta * cos_out);
     real perpendicular = (eta * c - cos_out) / (eta * c + cos_out);
-    return select(total, real(1.0f), (parallel * parallel + perpendicular * perpendicular) * 0.5f);
+    real partial =
+        select(abs(eta - 1.0f) > real(0.0f), (parallel * parallel + perpendicular * perpendicular) * 0.5f, real(0.0f));
+    return select(total, real(1.0f), partial);
 }
 
 /// Schlick's approximation (1994) for an opaque surface of reflectance r0 at normal incidence.

@@ -5,6 +5,9 @@
 #define SUNDOG_KERNEL_PATTERNS_HOST_H
 
 #include "kernel/compat/compat.h"
+#ifdef __cplusplus
+#include "kernel/patterns/host_fields.h"
+#endif
 
 KERNEL_BEGIN
 

@@ -214,8 +214,7 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             if (!any_lane(asking[0])) break;
         } else if (op == OP_GRAY) {
             PigmentColor c = colors[source];
-            values[target] =
-                AT(code, pc) != 0u ? 1.0f - c.transmitted : dot(c.rgb, real3(vec3(0.297f, 0.589f, 0.114f)));
+            values[target] = AT(code, pc) != 0u ? 1.0f - c.transmitted : gray_of(c.rgb);
             pc = pc + 1u;
 #ifdef __cplusplus
         } else if (op == OP_HOST_FIELD) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compile/insides.h"
+#include "compile/media_insides.h"
 
 #include <algorithm>
 #include <vector>
@@ -52,7 +52,7 @@ private:
         if ((m.flags & kernel::MATERIAL_PATTERNED) == 0) return;
         const std::uint32_t medium = scene_.patterned[m.patterned].medium;
         if (medium == kernel::NONE) return;
-        // Two parts that share one interior: see insides_beyond() in kernel/atmosphere/insides.h.
+        // Two parts that share one interior: see media_beyond() in kernel/atmosphere/media_insides.h.
         const auto known = std::find(found_.begin(), found_.end(), medium);
         if (known == found_.end() || medium == kernel::MEDIUM_SOLID) found_.push_back(medium);
         else found_.erase(known);
@@ -65,7 +65,7 @@ private:
 
 }  // namespace
 
-void set_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out) {
+void set_media_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out) {
     const std::vector<std::uint32_t> found = InsideFinder(scene, point).find();
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = i < found.size() ? found[i] : kernel::NONE;
 }

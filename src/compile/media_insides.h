@@ -12,6 +12,6 @@ namespace sundog {
 
 /// Fills `out` with PatternedMaterial::medium of what holds a point at rest, NONE behind; solids first. What finds no
 /// place in it is left out. Meshes of plain triangles have no inside.
-void set_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out);
+void set_media_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out);
 
 }  // namespace sundog
