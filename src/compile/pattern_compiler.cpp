@@ -223,7 +223,7 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
     for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
         out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment, layer->share.get())));
         out_.layers.back().normal = kernel::NONE;
-        if (layer->normal) {
+        if (layer->normal && !layer->normal->is_flat()) {
             out_.layers.back().normal = normals_of(*layer->normal);
             out_.layers.back().normal_uses_uv = layer->normal->uv_mapping ? 1 : 0;
         }

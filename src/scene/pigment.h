@@ -58,7 +58,7 @@ struct PatternNormal {
     Kind kind = Kind::bumps;
     Pattern pattern;  ///< Where it lies, its turbulence; frequency and phase of ripples and waves; special: the
                       ///< pattern, quilted or facets.
-    std::shared_ptr<const Pigment> height;  ///< pattern, image: its grey, asked at the pattern's own point.
+    std::shared_ptr<const Pigment> height;  ///< pattern, image: its grey, asked at the pattern's own point; null: flat.
     double texel_u = 0, texel_v = 0;        ///< image: a texel's size.
     float amount = 0.5F;
     double accuracy = 0.02;                 ///< pattern: the distance over which its slope is found.
@@ -70,6 +70,10 @@ struct PatternNormal {
 struct Normal {
     std::vector<PatternNormal> parts;
     bool uv_mapping = false;
+    /// Whether it bends nothing, but has an amount and a place for normals that start from it.
+    [[nodiscard]] bool is_flat() const {
+        return parts.size() == 1 && parts[0].kind == PatternNormal::Kind::pattern && !parts[0].height;
+    }
 };
 
 /// How a surface answers to light (section 3.5.4 "Finish"). Colours linear.

@@ -143,7 +143,7 @@ private:
             take_finish(*finish);
         } else if (const auto normal = items_.take_block(Keyword::normal)) {
             TextureLayer& layer = top();
-            layer.normal = read_normal(context_, *normal, layer.normal);
+            layer.normal = read_normal(context_, *normal, layer.normal, owner_.defaults_of(block_).layer.normal);
         } else if (const auto map = items_.take_block(Keyword::texture_map)) {
             read_map(*map);
         } else if (const auto materials = items_.take_block(Keyword::material_map)) {
@@ -299,7 +299,7 @@ DefaultTexture TextureReader::read_defaults(const Block& block) {
         } else if (const auto finish = items.take_block(Keyword::finish)) {
             result.layer.finish = read_finish(context_, *finish, {result.layer.finish, {}, false}).finish;
         } else if (const auto normal = items.take_block(Keyword::normal)) {
-            result.layer.normal = read_normal(context_, *normal, result.layer.normal);
+            result.layer.normal = read_normal(context_, *normal, result.layer.normal, nullptr);
         } else if (const auto radiosity = items.take_block(Keyword::radiosity)) {
             read_importance(context_, *radiosity);
         } else if (!items.take_block(Keyword::camera)) {
@@ -333,7 +333,7 @@ TexturePointer TextureReader::changed(TexturePointer texture, const Block& block
         return shared(std::move(result));
     }
     if (block.keyword == Keyword::normal) {
-        layer.normal = read_normal(context_, block, layer.normal);
+        layer.normal = read_normal(context_, block, layer.normal, defaults_of(owner).layer.normal);
         return shared(std::move(result));
     }
     const FinishParts parts = read_finish(context_, block, {layer.finish, {}, false});
