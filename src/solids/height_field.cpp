@@ -37,6 +37,8 @@ public:
         const std::array<float, 2> all = levels_.back().extent[0];
         box_ = {{0, std::min<double>(all[0], water_), 0}, {1, std::max<double>(all[1], water_), 1}};
         box_.lower.y = std::max(box_.lower.y, water_);
+        margin_ = 1e-6 * (1 + std::abs(box_.upper.y));
+        box_.lower.y -= margin_;
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
@@ -46,9 +48,9 @@ public:
         return walk_along(ray, range, out, true);
     }
     bool walk_along(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
-        // Over the ground square, above the water: its walls and its bottom are open, and its top is in the air.
-        const double margin = 1e-6 * (1 + std::abs(box_.upper.y));
-        const Bounds3d column{{0, water_, 0}, {1, box_.upper.y + margin, 1}};
+        // Over the ground square, above the water: its walls and its bottom are open, and its top is in the air. Ground
+        // that is level with the water is seen from both sides.
+        const Bounds3d column{{0, water_ - margin_, 0}, {1, box_.upper.y + margin_, 1}};
         const Range within = clip(column, ray, {-kInfinity, kInfinity});
         if (!(within.lower < within.upper) || within.upper <= range.lower || within.lower >= range.upper) return false;
         Walk walk{ray, range, within, out, only_first};
@@ -62,15 +64,16 @@ public:
     }
     [[nodiscard]] Vec3d normal(Vec3d p, const Crossing& c) const override {
         if (c.part == kNoCell) return {0, 1, 0};
-        const std::uint32_t column = c.part % columns_;
-        const std::uint32_t row = c.part / columns_;
-        const double u = std::clamp(p.x * columns_ - column, 0.0, 1.0);
-        const double v = std::clamp((1 - p.z) * rows_ - row, 0.0, 1.0);
-        const bool right = right_triangle(u, v);
+        const auto [column, row, u, v, right] = place_in_cell(p, c.part);
         if (!smooth_) return triangle_normal(column, row, right);
         // Between the normals of the triangle's corners, as between its heights.
         return blend(vertex_normal(column, row), vertex_normal(column + 1, row), vertex_normal(column, row + 1),
                      vertex_normal(column + 1, row + 1), u, v, right);
+    }
+    [[nodiscard]] std::optional<Vec3d> face_normal(Vec3d p, const Crossing& c) const override {
+        if (!smooth_ || c.part == kNoCell) return std::nullopt;
+        const Place at = place_in_cell(p, c.part);
+        return triangle_normal(at.column, at.row, at.right);
     }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
 
@@ -101,6 +104,19 @@ private:
         }
     };
 
+    /// Where in a cell a point is: u and v run from 0 to 1 through it.
+    struct Place {
+        std::uint32_t column, row;
+        double u, v;
+        bool right;  ///< In the right one of the cell's two triangles.
+    };
+    [[nodiscard]] Place place_in_cell(Vec3d p, std::uint32_t cell) const {
+        const std::uint32_t column = cell % columns_;
+        const std::uint32_t row = cell / columns_;
+        const double u = std::clamp(p.x * columns_ - column, 0.0, 1.0);
+        const double v = std::clamp((1 - p.z) * rows_ - row, 0.0, 1.0);
+        return {column, row, u, v, right_triangle(u, v)};
+    }
     [[nodiscard]] double height(std::uint32_t column, std::uint32_t row) const {
         return (*heights_)[std::size_t{row} * (columns_ + 1) + column];
     }
@@ -220,6 +236,7 @@ private:
     std::shared_ptr<const std::vector<float>> heights_;
     bool smooth_;
     double water_;
+    double margin_ = 0;  ///< Room under and over the ground, so that level ground isn't lost in rounding.
     std::vector<Level> levels_;
     Bounds3d box_;
 };

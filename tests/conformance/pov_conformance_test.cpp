@@ -85,7 +85,6 @@ const std::map<std::string, const char*>& known_differences() {
         {"media_spotlight", "povray counts scattered light a few percent brighter"},
         {"media_transformed", "povray's few samples of varying media lie elsewhere"},
         {"normal_bump_map", "bumps of images differ in strength; the cause was not found"},
-        {"shape_height_field", "shading of smooth height fields: povray's vertex normals aren't known"},
         {"texture_average", "a little lighter; the cause was not found"},
     };
     return differences;

@@ -219,9 +219,9 @@ FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(
             real3 smooth_normal = s.normal;
             if (FEATURE(FEATURE_PATTERNED)) {
                 word interior = interior_of(SCENE_ s, lobes.patterned);
-                crossing = crossing_at(SCENE_ s, interior, path.insides);
+                crossing = crossing_at(interior, path.insides);
                 if (FEATURE(FEATURE_TRANSPARENT)) {
-                    real3 dimmed = inside_transmittance(SCENE_ path.insides, interior, crossing.leaves, hit.t);
+                    real3 dimmed = inside_transmittance(SCENE_ path.insides, hit.t);
                     path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
                 }
                 real spectrum = real(0.5f);
@@ -378,7 +378,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.kind = word(RAY_CAMERA);
     path.media = eye_insides(SCENE_ alive);
     path.alive = alive;
-    path.insides = no_insides();
+    path.insides = insides_of_eye(SCENE_ alive);
 #ifdef __cplusplus
     path.kind = word(scene.first_ray_kind);
     path.spectrum = real(-1.0f);
