@@ -91,6 +91,8 @@ struct Finish {
     float reflection_metallic = 0;
     bool reflection_fresnel = false;
     bool conserve_energy = false;
+    float crand = 0;  ///< Each light's matt light is darkened by up to this much, at random.
+    float irid = 0, irid_thickness = 0, irid_turbulence = 0;  ///< A thin film: how much it does, and what it is like.
 };
 
 /// One layer of a texture.
@@ -108,7 +110,8 @@ struct TextureLayer {
 /// What is inside a solid (section 3.5.7 "Interior").
 struct Interior {
     float ior = 1;
-    float dispersion = 1;
+    float dispersion = 1;  ///< Index of refraction of violet over that of red light.
+    int dispersion_samples = 7;
     float caustics = 0;
     float fade_distance = 0, fade_power = 0;
     Vec3 fade_color{0, 0, 0};
@@ -131,6 +134,8 @@ struct PatternedSurface {
     Affine3d interior_from_world;       ///< Where its media lie.
     bool hollow = false;                ///< Fog and media around it go on inside; media of its own need that, too.
     std::uint32_t interior_number = 0;  ///< Surfaces of one object, and objects that share it, have the same; 0: none.
+    std::uint32_t light_set = 0;        ///< Which lights reach it: Scene::light_sets, from 1; 0: those of group 0.
+    bool double_illuminate = false;     ///< Lit from behind as from the front.
 };
 
 }  // namespace sundog::scene

@@ -79,10 +79,6 @@ std::vector<std::string> scene_names() {
 /// leave the list.
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> differences{
-        {"finish_reflection_exponent", "reflection's exponent isn't drawn"},
-        {"light_area_illumination",
-         "half shadows: povray shades by the mean of all lights, and darkens that by the shadow of the area as a "
-         "whole"},
         {"media_emission", "povray's few samples of varying media lie elsewhere"},
         {"media_phase", "povray counts scattered light a few percent brighter"},
         {"media_scattering", "povray counts scattered light a few percent brighter"},

@@ -38,7 +38,8 @@ std::string key_of(const LayeredTexture& texture) {
     const scene::Finish& f = texture.layers[0].finish;
     append_bytes(key, c.r, c.g, c.b, c.filter, c.transmit, f.ambient, f.emission, f.diffuse, f.diffuse_back,
                  f.brilliance, f.phong, f.phong_size, f.specular, f.roughness, f.metallic, f.reflection_min,
-                 f.reflection_max, f.reflection_falloff, f.reflection_exponent, f.reflection_metallic);
+                 f.reflection_max, f.reflection_falloff, f.reflection_exponent, f.reflection_metallic, f.crand, f.irid,
+                 f.irid_thickness, f.irid_turbulence);
     key.push_back(f.reflection_fresnel ? '1' : '0');
     key.push_back(f.conserve_energy ? '1' : '0');
     return key;
