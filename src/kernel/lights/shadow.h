@@ -86,7 +86,8 @@ FN real3 ray_transmittance(SCENE Light light, Ray shadow, MediaInsides insides, 
     mask through = mask_and(open, window.geometry != word(NONE));
     real3 black = real3(real(0.0f));
     if (!any_lane(through)) return black;
-    shadow.t_max = min(shadow.t_max, window.t);
+    // Short of it by rounding: the same object may be drawn there, too.
+    shadow.t_max = min(shadow.t_max, window.t - hit_error(shadow.origin, point_at(shadow, window.t), window.t));
     return select(through, shadow_transmittance(SCENE_ shadow, insides, light.flags, through, counts), black);
 }
 
