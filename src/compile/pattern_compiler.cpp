@@ -55,18 +55,12 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
     return out;
 }
 
-/// Povray's pictures show that method 3 takes a step for each two samples, and at least two.
-constexpr int kSamplesPerStep = 2;
-/// Steps of the methods without adaption, at least: it is noise that povray's pictures have with less.
-constexpr int kLeastSteps = 12;
-constexpr int kMostSteps = 256;
-/// A step is halved where its contribution may be wrong by this share of `aa_threshold`.
-constexpr float kThresholdShare = 0.4F;
-
-std::uint32_t media_steps(const scene::Medium& m) {
-    const int steps =
-        m.method == 3 ? std::max(m.samples, 3) / kSamplesPerStep + 1 : std::max(m.intervals * m.samples, kLeastSteps);
-    return static_cast<std::uint32_t>(std::min(steps, kMostSteps));
+/// Samples of an interval. Povray's pictures show that method 3 has a sample for each two that are asked for, and at
+/// least three; and that the other methods take more than one only where that is the least. There povray takes as many
+/// as the samples' variance asks for; here it's the mean of the least and the most.
+std::uint32_t samples_of_interval(const scene::Medium& m) {
+    if (m.method == 3) return static_cast<std::uint32_t>(2 + std::max(m.samples, 3) / 2);
+    return static_cast<std::uint32_t>(m.samples <= 1 ? 1 : (m.samples + m.samples_most + 1) / 2);
 }
 
 bool reflects(const scene::Finish& f) { return !(f.reflection_min == Vec3{} && f.reflection_max == Vec3{}); }
@@ -197,11 +191,13 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
         out_.code.push_back(static_cast<std::uint32_t>(m.scattering_type));
         out_.code.push_back(static_cast<std::uint32_t>(m.densities.size()));
         out_.code.push_back(densities[i]);
-        out_.code.push_back(media_steps(m));
+        out_.code.push_back(samples_of_interval(m));
         out_.code.push_back(static_cast<std::uint32_t>(m.method));
-        out_.code.push_back(m.method == 3 ? static_cast<std::uint32_t>(std::clamp(m.aa_level, 0, 8)) : 0);
-        put(kThresholdShare * m.aa_threshold);
-        out_.code.push_back(static_cast<std::uint32_t>(m.method == 3 ? std::clamp(m.intervals, 1, 20) : 1));
+        out_.code.push_back(
+            static_cast<std::uint32_t>(std::clamp(m.aa_level, 1, static_cast<int>(kernel::MAX_HALVINGS))));
+        put(m.aa_threshold);
+        out_.code.push_back(static_cast<std::uint32_t>(std::max(m.intervals, 1)));
+        put(m.jitter), put(m.ratio);
     }
     return known->second;
 }

@@ -42,7 +42,7 @@ KERNEL_CONST uint LIGHT_CIRCULAR = 4u;        ///< An area's grid is bent to a d
 KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit point.
 KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
 KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
-KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it.
+KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
 
 /// FrameParams::camera_kind. See kernel/cameras/projections.h.
 KERNEL_CONST uint CAMERA_PERSPECTIVE = 0u;
@@ -222,8 +222,11 @@ KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
 /// emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of densities, where their
-/// programs are listed, steps, method, aa_level, aa_threshold, intervals. See kernel/atmosphere/media.h.
-KERNEL_CONST uint MEDIUM_WORDS = 19u;
+/// programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals, jitter, ratio. See
+/// kernel/atmosphere/media.h.
+KERNEL_CONST uint MEDIUM_WORDS = 21u;
+/// Most entries of aa_level: how often a step may be halved.
+KERNEL_CONST uint MAX_HALVINGS = 8u;
 
 struct Triangle {
     uint p0, p1, p2;  ///< Indices into positions.

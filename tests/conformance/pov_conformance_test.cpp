@@ -83,11 +83,6 @@ const std::map<std::string, const char*>& known_differences() {
         {"light_area_illumination",
          "half shadows: povray shades by the mean of all lights, and darkens that by the shadow of the area as a "
          "whole"},
-        {"media_emission", "povray's few samples of varying media lie elsewhere"},
-        {"media_phase", "povray counts scattered light a few percent brighter"},
-        {"media_scattering", "povray counts scattered light a few percent brighter"},
-        {"media_spotlight", "povray counts scattered light a few percent brighter"},
-        {"media_transformed", "povray's few samples of varying media lie elsewhere"},
         {"normal_bump_map", "bumps of images differ in strength; the cause was not found"},
         {"shape_height_field", "shading of smooth height fields: povray's vertex normals aren't known"},
         {"texture_average", "a little lighter; the cause was not found"},
