@@ -327,11 +327,22 @@ Hit CompiledSolid::hit_of(const Event& event, const Ray& ray) const {
     Hit hit;
     hit.t = event.crossing.t;
     const Vec3d in_shape = transform_ray(leaf.shape_from_world, ray).at(hit.t);
-    const Vec3d carried =
-        normalize(transform_normal(leaf.shape_from_world, normalize(leaf.shape->normal(in_shape, event.crossing))));
+    const auto to_world = [&](Vec3d n) { return normalize(transform_normal(leaf.shape_from_world, normalize(n))); };
+    const Vec3d carried = to_world(leaf.shape->normal(in_shape, event.crossing));
     hit.normal = event.flipped ? -carried : carried;
-    // The passage from outside to inside tells better than rounding which way the normal must point.
-    if (event.crossing.toggles && (dot(hit.normal, ray.direction) < 0) != event.faces_ray) hit.normal = -hit.normal;
+    if (event.crossing.toggles) {
+        // The passage from outside to inside tells better than rounding which way the normal must point.
+        const auto agrees = [&](Vec3d n) { return (dot(n, ray.direction) < 0) == event.faces_ray; };
+        if (const std::optional<Vec3d> face = leaf.shape->face_normal(in_shape, event.crossing)) {
+            // A smoothed normal may look past the ray where the face does not. Turned around, it would point into the
+            // face, and rays that go on from there would meet the same place again.
+            const Vec3d flat = agrees(to_world(*face)) ? to_world(*face) : -to_world(*face);
+            if (dot(hit.normal, flat) < 0) hit.normal = -hit.normal;
+            if (!agrees(hit.normal)) hit.normal = flat;
+        } else if (!agrees(hit.normal)) {
+            hit.normal = -hit.normal;
+        }
+    }
     const std::uint32_t own = leaf.shape->material(in_shape, event.crossing);
     hit.material = own != scene::Solid::kInherited ? own : leaf.material;
     if (!event.faces_ray && leaf.interior_material != scene::Solid::kInherited) hit.material = leaf.interior_material;

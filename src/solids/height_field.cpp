@@ -62,15 +62,16 @@ public:
     }
     [[nodiscard]] Vec3d normal(Vec3d p, const Crossing& c) const override {
         if (c.part == kNoCell) return {0, 1, 0};
-        const std::uint32_t column = c.part % columns_;
-        const std::uint32_t row = c.part / columns_;
-        const double u = std::clamp(p.x * columns_ - column, 0.0, 1.0);
-        const double v = std::clamp((1 - p.z) * rows_ - row, 0.0, 1.0);
-        const bool right = right_triangle(u, v);
+        const auto [column, row, u, v, right] = place_in_cell(p, c.part);
         if (!smooth_) return triangle_normal(column, row, right);
         // Between the normals of the triangle's corners, as between its heights.
         return blend(vertex_normal(column, row), vertex_normal(column + 1, row), vertex_normal(column, row + 1),
                      vertex_normal(column + 1, row + 1), u, v, right);
+    }
+    [[nodiscard]] std::optional<Vec3d> face_normal(Vec3d p, const Crossing& c) const override {
+        if (!smooth_ || c.part == kNoCell) return std::nullopt;
+        const Place at = place_in_cell(p, c.part);
+        return triangle_normal(at.column, at.row, at.right);
     }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
 
@@ -101,6 +102,19 @@ private:
         }
     };
 
+    /// Where in a cell a point is: u and v run from 0 to 1 through it.
+    struct Place {
+        std::uint32_t column, row;
+        double u, v;
+        bool right;  ///< In the right one of the cell's two triangles.
+    };
+    [[nodiscard]] Place place_in_cell(Vec3d p, std::uint32_t cell) const {
+        const std::uint32_t column = cell % columns_;
+        const std::uint32_t row = cell / columns_;
+        const double u = std::clamp(p.x * columns_ - column, 0.0, 1.0);
+        const double v = std::clamp((1 - p.z) * rows_ - row, 0.0, 1.0);
+        return {column, row, u, v, right_triangle(u, v)};
+    }
     [[nodiscard]] double height(std::uint32_t column, std::uint32_t row) const {
         return (*heights_)[std::size_t{row} * (columns_ + 1) + column];
     }

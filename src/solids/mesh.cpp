@@ -86,12 +86,16 @@ public:
     }
     [[nodiscard]] Vec3d normal(Vec3d, const Crossing& c) const override {
         const Triangle& t = mesh_->triangles[c.part];
-        const Vec3d a = position(t, 0);
-        const Vec3d flat = cross(position(t, 1) - a, position(t, 2) - a);
+        const Vec3d flat = flat_normal(t);
         if (t.normal[0] == scene::SolidMesh::kNoIndex) return flat;
         const auto at = [&](std::size_t i) { return to_double(mesh_->normals[t.normal[i]]); };
         const Vec3d smooth = at(0) * (1 - c.u - c.v) + at(1) * c.u + at(2) * c.v;
         return dot(smooth, smooth) > 0 ? smooth : flat;
+    }
+    [[nodiscard]] std::optional<Vec3d> face_normal(Vec3d, const Crossing& c) const override {
+        const Triangle& t = mesh_->triangles[c.part];
+        if (t.normal[0] == scene::SolidMesh::kNoIndex) return std::nullopt;
+        return flat_normal(t);
     }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
         Bounds3d box;
@@ -127,6 +131,10 @@ private:
 
     [[nodiscard]] Vec3d position(const Triangle& t, std::size_t i) const {
         return to_double(mesh_->positions[t.position[i]]);
+    }
+    [[nodiscard]] Vec3d flat_normal(const Triangle& t) const {
+        const Vec3d a = position(t, 0);
+        return cross(position(t, 1) - a, position(t, 2) - a);
     }
     bool crosses(const ShearedRay& ray, std::uint32_t index, Crossing& out) const {
         const Triangle& t = mesh_->triangles[index];

@@ -135,6 +135,29 @@ TEST(HeightFieldShape, TheSurfacePartsGroundFromAir) {
     }
 }
 
+// Catches smoothed normals that are turned into the face: rays that go on from there meet the same place without end.
+TEST(HeightFieldShape, SmoothedNormalsLeadToTheSideThatTheRayCameFrom) {
+    scene::HeightField field = hills(30, 30, 5);
+    field.smooth = true;
+    const auto solid = compile_solid(solid_of(field), 0);
+    RandomRays random(8);
+    int met = 0;
+    for (int i = 0; i < 2000; ++i) {
+        // Nearly level, along walls that the smoothed normals look over.
+        const Vec3d from{random.number(0, 1), random.number(0.3, 0.7), -0.1};
+        const Ray ray{from, {random.number(-0.3, 0.3), random.number(-0.1, 0.1), 1}};
+        for (const Hit& hit : all_hits(*solid, ray)) {
+            const bool enters = !solid->inside(ray.at(hit.t - 1e-7));
+            if (enters == solid->inside(ray.at(hit.t + 1e-7))) ++met;
+            else continue;
+            const Vec3d to_eye = hit.normal * (enters ? 1e-9 : -1e-9);
+            EXPECT_EQ(!enters, solid->inside(ray.at(hit.t) + to_eye));
+            EXPECT_EQ(enters, solid->inside(ray.at(hit.t) - to_eye));
+        }
+    }
+    EXPECT_GE(met, 5000);
+}
+
 // Catches rows taken from the wrong end, and a diagonal in the wrong direction.
 TEST(HeightFieldShape, PixelsAreWhereTheyBelong) {
     scene::HeightField field = hills(2, 2, 1);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ public:
     [[nodiscard]] virtual bool inside(Vec3d point) const = 0;
     /// Normal at a crossing, of any length; outward, unless the shape can't tell (then the ray's passage decides).
     [[nodiscard]] virtual Vec3d normal(Vec3d point, const Crossing& crossing) const = 0;
+    /// Normal of the surface itself, of any length and either side, where normal() is a smoothed one.
+    [[nodiscard]] virtual std::optional<Vec3d> face_normal(Vec3d, const Crossing&) const { return std::nullopt; }
     /// A box around the surface and the inside, carried by `m`.
     [[nodiscard]] virtual Bounds3d bounds(const Affine3d& m) const = 0;
     /// Boxes around all that is inside, and around all that is not.
