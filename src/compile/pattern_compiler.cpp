@@ -96,6 +96,11 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
     out.filter_share = fog.color.filter, out.transmit_share = fog.color.transmit;
     out.altitude = fog.altitude, out.offset = fog.offset;
     out.up = to_kernel(normalize(fog.up));
+    out.turbulence = to_kernel(fog.turbulence);
+    out.turb_depth = fog.turbulence == Vec3{} ? 0 : fog.turb_depth;
+    out.lambda = fog.lambda, out.omega = fog.omega;
+    out.octaves = static_cast<std::uint32_t>(fog.octaves);
+    out.noise_generator = static_cast<std::uint32_t>(fog.noise_generator);
     return out;
 }
 
@@ -287,8 +292,31 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     return out;
 }
 
+std::uint32_t PatternCompiler::rainbows() {
+    if (scene_.rainbows.empty()) return kernel::NONE;
+    std::vector<std::uint32_t> programs;
+    for (const scene::Rainbow& bow : scene_.rainbows) programs.push_back(program_of(*bow.colors));
+    const auto start = static_cast<std::uint32_t>(out_.code.size());
+    out_.code.push_back(static_cast<std::uint32_t>(programs.size()));
+    const auto put = [&](float value) { out_.code.push_back(std::bit_cast<std::uint32_t>(value)); };
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const scene::Rainbow& bow = scene_.rainbows[i];
+        const Vec3 direction = normalize(bow.direction);
+        const Vec3 up = normalize(bow.up - direction * dot(bow.up, direction));
+        const float all_around = 4;
+        // The arc ends sharply where no part of it fades out.
+        const float arc = bow.arc_angle ? *bow.arc_angle / 2 : all_around;
+        const float full = bow.arc_angle && bow.falloff_angle ? std::min(*bow.falloff_angle / 2, arc) : arc;
+        for (const Vec3& v : {direction, up}) put(v.x), put(v.y), put(v.z);
+        put(bow.angle), put(1 / bow.width), put(bow.distance), put(bow.jitter), put(arc), put(full);
+        out_.code.push_back(programs[i]);
+    }
+    return start;
+}
+
 void PatternCompiler::compile_sky() {
     for (const scene::Fog& fog : scene_.fogs) out_.fogs.push_back(kernel_fog(fog));
+    out_.rainbows = rainbows();
     out_.atmosphere = scene_.atmosphere.empty() ? kernel::NONE : media_of(scene_.atmosphere, {});
     for (const scene::SkySphere& sky : scene_.sky_spheres) {
         for (const auto& pigment : sky.pigments) {

@@ -153,6 +153,37 @@ TEST_F(MediaScene, ShadowRaysAreDimmed) {
     EXPECT_NEAR(middle(), open * std::exp(-0.75F), 1e-3F) << "as in povray, not by what light is in itself";
 }
 
+// What has no shadows isn't scattered, as in povray.
+TEST_F(MediaScene, LightWithoutShadowsIsNotScattered) {
+    scene_.sky = {0, 0, 0};
+    add_light(scene_, scene::Light::Kind::sun, {0, 0, 1});
+    scene::Medium medium;
+    medium.scattering = {0.1F, 0.1F, 0.1F};
+    add_box(2, 3, clear_material({medium}));
+    EXPECT_GT(middle(), 0.09F);
+    scene_.lights[0].shadows = false;
+    EXPECT_EQ(middle(), 0);
+}
+
+// Turbulence thins a fog out by noise times turb_depth, and by no more than a share of e^(-d/distance), as pictures of
+// povray 3.7 show.
+TEST_F(MediaScene, TurbulenceThinsFogOut) {
+    scene_.sky = {0, 0, 0};
+    scene::Material wall = matt({0, 0, 0});
+    wall.emission = {1, 1, 1};
+    add_quad(scene_, {-99, 9, -99}, {99, 9, -99}, {99, 9, 99}, {-99, 9, 99}, add_material(scene_, wall));
+    scene::Fog fog;
+    fog.distance = 10;
+    fog.turb_depth = 1e6F;
+    scene_.fogs = {fog};
+    EXPECT_NEAR(middle(), std::exp(-0.9F), 1e-4F) << "without turbulence";
+    scene_.fogs[0].turbulence = {1, 1, 1};
+    EXPECT_NEAR(middle(), std::exp(-0.9F * (1 - std::exp(-0.9F))), 1e-4F) << "at its thinnest";
+    scene_.fogs[0].turb_depth = 0.1F;
+    EXPECT_GT(middle(), std::exp(-0.9F) + 1e-4F);
+    EXPECT_LT(middle(), std::exp(-0.9F * (1 - 0.25F * std::exp(-0.9F)))) << "noise is 1 at most, the sum of octaves 2";
+}
+
 // A spot's cone is found however narrow it is against the ray's length.
 TEST_F(MediaScene, ASpotsConeIsSampledWhereItCrosses) {
     scene_.sky = {0, 0, 0};

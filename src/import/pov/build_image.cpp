@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <fstream>
 
 #include "fields/function_evaluator.h"
 #include "fields/pigment_evaluator.h"
@@ -48,16 +50,45 @@ scene::Index texture_of(BuildContext& context, const ImageName& image, bool srgb
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }
 
-/// filter and transmit: `all Amount`, `Index, Amount` for one entry of a palette, or (3.7) one amount for all.
-float read_amount_for_all(ItemReader& items, float before) {
-    if (items.take(Keyword::all)) return static_cast<float>(items.number("an amount"));
-    const double first = items.number("'all' or an index of the palette");
-    if (items.maybe_number()) {
-        items.context().warn_once("palette transparency", items.taken_where(),
-                                  "transparency of single palette entries isn't drawn yet", "those colors stay opaque");
-        return before;
+/// Between a file's name and what was changed in it.
+constexpr std::string_view kChange = " with palette entry ";
+
+/// Lets `amount` of the light through where the image has the colour of an entry of its palette.
+void clear_palette_entry(BuildContext& context, scene::ImageMap& image, int entry, double amount) {
+    scene::Texture texture = context.scene.textures[image.texture];
+    const auto numbers = palette_of(texture.name.substr(0, texture.name.find(kChange)));
+    const auto alpha = static_cast<std::uint32_t>(std::lround((1 - std::clamp(amount, 0.0, 1.0)) * 255));
+    for (std::uint32_t& texel : texture.rgba8) {
+        const auto number = numbers.find(texel & 0xffffffU);
+        if (number != numbers.end() && number->second == static_cast<std::uint32_t>(entry))
+            texel = (texel & 0xffffffU) | alpha << 24U;
     }
-    return static_cast<float>(first);
+    texture.name += std::string(kChange) + std::to_string(entry) + " " + std::to_string(alpha);
+    if (const auto known = find_texture(context.scene, texture.name, texture.srgb)) {
+        image.texture = *known;
+        return;
+    }
+    context.scene.textures.push_back(std::move(texture));
+    image.texture = static_cast<scene::Index>(context.scene.textures.size() - 1);
+}
+
+/// filter and transmit: `all Amount`, `Index, Amount` for one entry of a palette, or (3.7) one amount for all.
+void read_transparency(ItemReader& items, scene::ImageMap& image, bool transmits) {
+    float& all = transmits ? image.transmit_all : image.filter_all;
+    if (items.take(Keyword::all)) {
+        all = static_cast<float>(items.number("an amount"));
+        return;
+    }
+    const double first = items.number("'all' or an index of the palette");
+    const std::optional<double> amount = items.maybe_number();
+    if (!amount) {
+        all = static_cast<float>(first);
+    } else if (transmits) {
+        clear_palette_entry(items.context(), image, static_cast<int>(std::clamp(first, 0.0, 65535.0)), *amount);
+    } else {
+        items.context().warn_once("palette transparency", items.taken_where(),
+                                  "a filter of single palette entries isn't drawn yet", "those colors stay opaque");
+    }
 }
 
 /// 0..1 as a byte; what lies beyond comes round again, as in povray's pictures.
@@ -116,6 +147,30 @@ bool is_srgb(const BuildContext& context, const Block& block, const ImageName& i
 
 }  // namespace
 
+std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file) {
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, 8> signature{};
+    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0)
+        return numbers;
+    std::array<unsigned char, 8> header{};
+    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
+        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
+                                   std::uint32_t{header[2]} << 8U | header[3];
+        if (std::memcmp(header.data() + 4, "PLTE", 4) == 0) {
+            std::array<unsigned char, 768> colors{};
+            if (size > colors.size() || !stream.read(reinterpret_cast<char*>(colors.data()), size)) return numbers;
+            for (std::uint32_t i = 0; i < size / 3; ++i)
+                numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
+                                    std::uint32_t{colors[3 * i + 2]} << 16U,
+                                i);
+            return numbers;
+        }
+        stream.seekg(static_cast<std::streamoff>(size) + 4, std::ios::cur);
+    }
+    return numbers;
+}
+
 ImageName read_image_name(ItemReader& items) {
     for (const Keyword kind : kFileKinds)
         if (items.take(kind)) break;
@@ -152,11 +207,11 @@ bool read_image_modifier(ItemReader& items, scene::ImageMap& image) {
             return true;
         case Keyword::filter:
             items.skip();
-            image.filter_all = read_amount_for_all(items, image.filter_all);
+            read_transparency(items, image, false);
             return true;
         case Keyword::transmit:
             items.skip();
-            image.transmit_all = read_amount_for_all(items, image.transmit_all);
+            read_transparency(items, image, true);
             return true;
         case Keyword::use_index:
         case Keyword::use_color:

@@ -127,9 +127,7 @@ private:
                 medium_.samples_most =
                     std::max(items_.integer("the greatest number of samples", 1, kMost), medium_.samples);
         } else if (items_.take(Keyword::aa_level)) {
-            // As povray's pictures show, 0 is not a level of its own.
-            const int level = items_.integer("a level", 0, 1000);
-            medium_.aa_level = level == 0 ? Medium{}.aa_level : level;
+            medium_.aa_level = items_.integer("a level", 1, 1000);
         } else if (items_.take(Keyword::aa_threshold)) {
             medium_.aa_threshold = static_cast<float>(items_.number("a threshold"));
         } else if (items_.take(Keyword::jitter)) {

@@ -4,13 +4,12 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 
+#include "kernel/atmosphere/fog.h"
 #include "kernel/atmosphere/media_insides.h"
 #include "kernel/patterns/program.h"
 
 KERNEL_BEGIN
 
-/// Rays that hit nothing are followed through media as far as this, as povray does.
-const float MEDIA_FAR = 2.0e10f;
 /// Most particles of different kinds at one place that scatter light.
 const uint MAX_SCATTERERS = 8u;
 /// Most lists of media at one place: of the insides, and the atmosphere's.
@@ -166,7 +165,7 @@ FN_LARGE real3 media_transmittance(SCENE Ray ray, real distance, MediaInsides in
                                    mask alive) {
     bool atmosphere = with_atmosphere && FRAME.atmosphere != NONE;
     real3 passes = real3(real(1.0f));
-    real reach = min(distance, real(MEDIA_FAR));
+    real reach = min(distance, real(FOG_FAR));
     mask todo = mask_and(alive, reach > real(0.0f));
     while (any_lane(todo)) {
         MediaGroup group;

@@ -116,6 +116,31 @@ FN LitStretches lit_stretches(SCENE MediaRay r, real end, mask here) {
     return lit;
 }
 
+/// Where what is behind a lit stretch begins: outside of it, however that rounds.
+FN real beyond(LitStretches lit, uint k, real reach) {
+    return min(lit.leaves[k] + (lit.leaves[k] - lit.enters[k]) * 2e-4f, reach);
+}
+
+/// How many of a ray's intervals are in each stretch that is lit, and in each other one, by the medium's `ratio`: the
+/// numbers that povray's pictures show where there is one lit stretch.
+FN void share_intervals(LitStretches lit, real reach, float ratio, INOUT(real) of_dark, OUT(real) of_lit) {
+    real one = real(1.0f);
+    real none = real(0.0f);
+    real lit_count = none;
+    real dark_count = none;
+    real passed = none;
+    for (uint k = 0u; k < lit.count; k = k + 1u) {
+        mask crosses = lit.enters[k] < lit.leaves[k];
+        lit_count = lit_count + select(crosses, one, none);
+        dark_count = dark_count + select(mask_and(crosses, passed < lit.enters[k]), one, none);
+        passed = select(crosses, beyond(lit, k, reach), passed);
+    }
+    dark_count = dark_count + select(passed < reach, one, none);
+    real shared = of_dark - dark_count;
+    of_lit = max(-floor(shared * -ratio / max(lit_count, one)), one);
+    of_dark = select(lit_count > none, max(-floor(shared * (ratio - 1.0f)), one), of_dark);
+}
+
 /// All media at a point of a ray, with the light that they scatter along it.
 FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(RayCounts) counts) {
     real3 p = point_at(r.ray, t);
@@ -157,10 +182,9 @@ FN mask differ(MediaPoint a, MediaPoint b, float threshold) {
 }
 
 /// How far a sample is moved off its place, from -1/2 to 1/2 of the way to the next one, times the medium's jitter: by
-/// the ray alone, so that pictures don't depend on threads.
+/// the ray alone.
 FN real media_jitter(Ray ray, word number, float amount) {
-    word bits = hash_word(as_word(ray.direction.x) + hash_word(as_word(ray.direction.y) + number));
-    return (real_from_word(bits >> 8u) * (1.0f / 16777216.0f) - 0.5f) * amount;
+    return (random_by_direction(ray.direction, number) - 0.5f) * amount;
 }
 
 /// Adds a step of length dt: dimmed by what came before it alone, as povray's pictures show.
@@ -169,20 +193,24 @@ FN void add_step(MediaPoint mean, real dt, mask here, INOUT(MediaLight) out) {
     out.passes = select(here, out.passes * dimmed_by(mean.extinction * dt), out.passes);
 }
 
-/// Methods 1 and 2: the middles of even steps, or places about them, dimmed half-way.
+/// Methods 1 and 2: the middles of even steps, or places about them. As povray's pictures show, a sample's light is
+/// dimmed from the interval's begin on by what is at the sample itself.
 FN void march_evenly(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) out,
                      INOUT(RayCounts) counts) {
     uint samples = AT(code, r.group.first + 14u);
     float jitter = AT(code, r.group.first + 15u) == 1u ? 1.0f : code_float(SCENE_ r.group.first + 19u);
     real dt = len * (1.0f / float(samples));
+    real3 depth = real3(real(0.0f));
+    real3 glow = depth;
     for (uint i = 0u; i < samples; i = i + 1u) {
         real at = real(float(i) + 0.5f);
         if (jitter > 0.0f) at = at + media_jitter(r.ray, word(number * 256u + i), jitter);
         MediaPoint point = lit_media_at(SCENE_ r, begin + dt * at, here, counts);
-        real3 half_way = dimmed_by(point.extinction * (dt * 0.5f));
-        out.glow = select(here, out.glow + out.passes * half_way * point.glow * dt, out.glow);
-        out.passes = select(here, out.passes * half_way * half_way, out.passes);
+        glow = glow + dimmed_by(point.extinction * (dt * at)) * point.glow * dt;
+        depth = depth + point.extinction * dt;
     }
+    out.glow = select(here, out.glow + out.passes * glow, out.glow);
+    out.passes = select(here, out.passes * dimmed_by(depth), out.passes);
 }
 
 /// A sample that ends a part of a step: its light, its place, and the part's share of the step; 0 where it has been
@@ -333,31 +361,18 @@ FN_LARGE real3 media_radiance(SCENE Ray ray, real distance, MediaInsides insides
         r.insides = insides;
         mask here = take_alike(SCENE_ insides, FRAME.atmosphere != NONE, todo, r.group);
         if (r.group.count == 0u) continue;
-        real reach = select(here, min(distance, real(MEDIA_FAR)), real(0.0f));
+        real reach = select(here, min(distance, real(FOG_FAR)), real(0.0f));
         if (!r.group.emits && !r.group.scatters) {
             weight = select(here, weight * dimmed_by(media_depth(SCENE_ r.group, ray, reach)), weight);
             continue;
         }
         LitStretches lit = lit_stretches(SCENE_ r, reach, here);
-        // What isn't lit gets fewer intervals: see `ratio`.
-        real intervals = real(float(AT(code, r.group.first + 18u)));
+        // What is the same everywhere is one interval, as in povray.
+        bool uniform = !r.group.varies && !r.group.scatters;
+        real intervals = real(uniform ? 1.0f : float(AT(code, r.group.first + 18u)));
         real lit_intervals = intervals;
-        if (lit.count > 0u && AT(code, r.group.first + 18u) > 1u) {
-            float ratio = code_float(SCENE_ r.group.first + 20u);
-            real lit_count = real(0.0f);
-            real dark_count = real(1.0f);
-            for (uint k = 0u; k < lit.count; k = k + 1u) {
-                real one = select(lit.enters[k] < lit.leaves[k], real(1.0f), real(0.0f));
-                lit_count = lit_count + one;
-                dark_count = dark_count + one;
-            }
-            mask any_lit = lit_count > real(0.0f);
-            real shared = intervals - dark_count;
-            real of_lit = real(0.0f) - floor(shared * -ratio / max(lit_count, real(1.0f)));
-            real of_dark = real(0.0f) - floor(shared * (ratio - 1.0f));
-            lit_intervals = max(of_lit, real(1.0f));
-            intervals = select(any_lit, max(of_dark, real(1.0f)), intervals);
-        }
+        if (lit.count > 0u && AT(code, r.group.first + 18u) > 1u)
+            share_intervals(lit, reach, code_float(SCENE_ r.group.first + 20u), intervals, lit_intervals);
         MediaLight light;
         light.glow = real3(real(0.0f));
         light.passes = real3(real(1.0f));
@@ -367,9 +382,7 @@ FN_LARGE real3 media_radiance(SCENE Ray ray, real distance, MediaInsides insides
             if (!any_lane(crosses)) continue;
             march_media(SCENE_ r, passed, lit.enters[k], intervals, 4u * k, crosses, light, counts);
             march_media(SCENE_ r, lit.enters[k], lit.leaves[k], lit_intervals, 4u * k + 2u, crosses, light, counts);
-            // The next one begins outside of it, however that rounds.
-            real beyond = lit.leaves[k] + (lit.leaves[k] - lit.enters[k]) * 2e-4f;
-            passed = select(crosses, min(beyond, reach), passed);
+            passed = select(crosses, beyond(lit, k, reach), passed);
         }
         march_media(SCENE_ r, passed, reach, intervals, 4u * lit.count, here, light, counts);
         sum = select(here, sum + weight * light.glow, sum);
