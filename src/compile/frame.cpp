@@ -190,9 +190,12 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.rainbows = compiled.rainbows;
     params.atmosphere = compiled.atmosphere;
     std::fill(std::begin(params.eye_insides), std::end(params.eye_insides), kernel::NONE);
-    if (params.features & kernel::FEATURE_HOLLOW) {
-        const kernel::vec3 eye = params.camera.eye;
-        set_media_insides(compiled, {eye.x, eye.y, eye.z}, params.eye_insides);
+    const Vec3d eye{params.camera.eye.x, params.camera.eye.y, params.camera.eye.z};
+    if (params.features & kernel::FEATURE_HOLLOW) set_media_insides(compiled, eye, params.eye_insides);
+    if (compiled.interiors.size() > 1) {
+        const auto [first, second, third, fourth] = interiors_around(compiled, eye);
+        params.eye_interiors_inner = first | second << 16U;
+        params.eye_interiors_outer = third | fourth << 16U;
     }
     if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
         params.features |= kernel::FEATURE_LIGHT_SHAPES;

@@ -13,7 +13,10 @@ Vec3d to_vec3d(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
 
 class InsideFinder {
 public:
-    InsideFinder(const RenderScene& scene, Vec3d point) : scene_(scene), point_(point) {}
+    /// What of a material is listed, `none` standing for nothing.
+    InsideFinder(const RenderScene& scene, Vec3d point, std::uint32_t kernel::PatternedMaterial::*listed,
+                 std::uint32_t none)
+        : scene_(scene), point_(point), listed_(listed), none_(none) {}
 
     std::vector<std::uint32_t> find() {
         for (const kernel::Geometry& g : scene_.geometries) {
@@ -25,8 +28,6 @@ public:
             const std::vector<std::uint32_t>& materials = placed.solid->materials();
             if (!materials.empty() && placed.solid->inside(point_)) add(materials.front());
         }
-        // In a solid there are no media, whatever else holds the point.
-        std::stable_partition(found_.begin(), found_.end(), [](std::uint32_t m) { return m == kernel::MEDIUM_SOLID; });
         return found_;
     }
 
@@ -50,24 +51,36 @@ private:
     void add(std::uint32_t material) {
         const kernel::Material& m = scene_.materials[material];
         if ((m.flags & kernel::MATERIAL_PATTERNED) == 0) return;
-        const std::uint32_t medium = scene_.patterned[m.patterned].medium;
-        if (medium == kernel::NONE) return;
+        const std::uint32_t entry = scene_.patterned[m.patterned].*listed_;
+        if (entry == none_) return;
         // Two parts that share one interior: see media_beyond() in kernel/atmosphere/media_insides.h.
-        const auto known = std::find(found_.begin(), found_.end(), medium);
-        if (known == found_.end() || medium == kernel::MEDIUM_SOLID) found_.push_back(medium);
+        const auto known = std::find(found_.begin(), found_.end(), entry);
+        if (known == found_.end() || entry == kernel::MEDIUM_SOLID) found_.push_back(entry);
         else found_.erase(known);
     }
 
     const RenderScene& scene_;
     Vec3d point_;
+    std::uint32_t kernel::PatternedMaterial::*listed_;
+    std::uint32_t none_;
     std::vector<std::uint32_t> found_;
 };
 
 }  // namespace
 
 void set_media_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out) {
-    const std::vector<std::uint32_t> found = InsideFinder(scene, point).find();
+    std::vector<std::uint32_t> found =
+        InsideFinder(scene, point, &kernel::PatternedMaterial::medium, kernel::NONE).find();
+    // In a solid there are no media, whatever else holds the point.
+    std::stable_partition(found.begin(), found.end(), [](std::uint32_t m) { return m == kernel::MEDIUM_SOLID; });
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = i < found.size() ? found[i] : kernel::NONE;
+}
+
+std::array<std::uint32_t, 4> interiors_around(const RenderScene& scene, Vec3d point) {
+    const std::vector<std::uint32_t> found = InsideFinder(scene, point, &kernel::PatternedMaterial::interior, 0).find();
+    std::array<std::uint32_t, 4> interiors{};
+    std::copy_n(found.begin(), std::min(found.size(), interiors.size()), interiors.begin());
+    return interiors;
 }
 
 }  // namespace sundog

@@ -2,6 +2,7 @@
 // What a point is inside of.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -13,5 +14,8 @@ namespace sundog {
 /// Fills `out` with PatternedMaterial::medium of what holds a point at rest, NONE behind; solids first. What finds no
 /// place in it is left out. Meshes of plain triangles have no inside.
 void set_media_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out);
+
+/// PatternedMaterial::interior of up to four things that hold a point at rest; 0 behind.
+std::array<std::uint32_t, 4> interiors_around(const RenderScene& scene, Vec3d point);
 
 }  // namespace sundog

@@ -410,6 +410,8 @@ struct FrameParams {
     uint atmosphere;  ///< Media that are everywhere: a list of them in `code`, or NONE.
     uint
         eye_insides[MAX_MEDIA_INSIDES];  ///< What the eye is inside of: PatternedMaterial::medium, NONE in free places.
+    /// Likewise PatternedMaterial::interior, in the form of `Insides` in kernel/materials/interior.h.
+    uint eye_interiors_inner, eye_interiors_outer;
 };
 
 /// FrameParams::aovs, and Film's planes.

@@ -37,6 +37,8 @@ public:
         const std::array<float, 2> all = levels_.back().extent[0];
         box_ = {{0, std::min<double>(all[0], water_), 0}, {1, std::max<double>(all[1], water_), 1}};
         box_.lower.y = std::max(box_.lower.y, water_);
+        margin_ = 1e-6 * (1 + std::abs(box_.upper.y));
+        box_.lower.y -= margin_;
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
@@ -46,9 +48,9 @@ public:
         return walk_along(ray, range, out, true);
     }
     bool walk_along(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
-        // Over the ground square, above the water: its walls and its bottom are open, and its top is in the air.
-        const double margin = 1e-6 * (1 + std::abs(box_.upper.y));
-        const Bounds3d column{{0, water_, 0}, {1, box_.upper.y + margin, 1}};
+        // Over the ground square, above the water: its walls and its bottom are open, and its top is in the air. Ground
+        // that is level with the water is seen from both sides.
+        const Bounds3d column{{0, water_ - margin_, 0}, {1, box_.upper.y + margin_, 1}};
         const Range within = clip(column, ray, {-kInfinity, kInfinity});
         if (!(within.lower < within.upper) || within.upper <= range.lower || within.lower >= range.upper) return false;
         Walk walk{ray, range, within, out, only_first};
@@ -234,6 +236,7 @@ private:
     std::shared_ptr<const std::vector<float>> heights_;
     bool smooth_;
     double water_;
+    double margin_ = 0;  ///< Room under and over the ground, so that level ground isn't lost in rounding.
     std::vector<Level> levels_;
     Bounds3d box_;
 };

@@ -84,7 +84,6 @@ const std::map<std::string, const char*>& known_differences() {
          "half shadows: povray shades by the mean of all lights, and darkens that by the shadow of the area as a "
          "whole"},
         {"normal_bump_map", "bumps of images differ in strength; the cause was not found"},
-        {"shape_height_field", "shading of smooth height fields: povray's vertex normals aren't known"},
         {"texture_average", "a little lighter; the cause was not found"},
     };
     return differences;

@@ -101,6 +101,7 @@ Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKern
     }
     // What the eye is inside of isn't where light is gathered.
     std::fill(std::begin(scene_.frame.eye_insides), std::end(scene_.frame.eye_insides), kernel::NONE);
+    scene_.frame.eye_interiors_inner = scene_.frame.eye_interiors_outer = 0;
     for (kernel::Light& light : matt_lights_) {
         light.flags &= ~kernel::LIGHT_HIGHLIGHTS;
         light.area_count_u = light.area_count_v = 1;

@@ -55,7 +55,8 @@ scene::HeightField heights_of(const output::IndexedImage& image, bool potential)
     return field;
 }
 
-/// `function Width, Height { … }`: its values at the pixels' centers, x and y from 0 to 1, y upwards.
+/// `function Width, Height { … }`: its values at x and y from 0 in the first column and row to 1 in the last, as with
+/// images of functions.
 NodeShape heights_of_function(ItemReader& items) {
     BuildContext& context = items.context();
     constexpr int kMostPixels = 16384;
@@ -71,10 +72,11 @@ NodeShape heights_of_function(ItemReader& items) {
     std::uint64_t budget = context.options.limits.steps;
     for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {
-            const std::array<double, 3> at{(column + 0.5) / width, 1 - (row + 0.5) / height, 0};
+            const std::array<double, 3> at{column / (width - 1.0), row / (height - 1.0), 0};
             if (!evaluation.run(at, budget)) items.fail("the limit of steps was hit in a function");
+            // What doesn't fit into a pixel wraps around.
             const double value = evaluation.output(0);
-            heights->push_back(static_cast<float>(value > 0 ? std::min(value, 1.0) : 0.0));
+            heights->push_back(static_cast<float>(value >= 0 && value <= 1 ? value : value - std::floor(value)));
         }
     }
     return scene::HeightField{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), std::move(heights),

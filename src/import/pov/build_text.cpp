@@ -109,16 +109,20 @@ std::vector<char32_t> code_points(const std::string& text) {
     return result;
 }
 
-/// Where fonts are that scenes name without bringing them: POV-Ray's own, then what most systems have.
+/// Where fonts are that scenes name without bringing them, with or without their suffix: POV-Ray's own, then what most
+/// systems have.
 std::filesystem::path find_font(BuildContext& context, const std::string& name, Place where) {
     const auto readable = [](const std::filesystem::path& file) {
         std::error_code error;
         return std::filesystem::is_regular_file(file, error);
     };
-    if (std::filesystem::path file = context.find_file(name, where); !file.empty()) return file;
-    for (const char* folder : {"/usr/share/fonts/truetype/povray", "/usr/local/share/povray-3.7/include"}) {
-        const std::filesystem::path file = std::filesystem::path(folder) / std::filesystem::path(name).filename();
-        if (readable(file)) return file;
+    for (const char* suffix : {"", ".ttf", ".ttc"}) {
+        const std::string full = name + suffix;
+        if (std::filesystem::path file = context.find_file(full, where); !file.empty()) return file;
+        for (const char* folder : {"/usr/share/fonts/truetype/povray", "/usr/local/share/povray-3.7/include"}) {
+            const std::filesystem::path file = std::filesystem::path(folder) / std::filesystem::path(full).filename();
+            if (readable(file)) return file;
+        }
     }
     for (const char* font : {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
                              "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
@@ -183,6 +187,7 @@ NodeShape read_text(ItemReader& items) {
     NodeGroup group;
     Vec3d pen;
     FT_UInt before = 0;
+    bool is_first = true;
     for (const char32_t point : code_points(text)) {
         const FT_UInt glyph = FT_Get_Char_Index(face.get(), point);
         FT_Vector kerning{};
@@ -190,9 +195,13 @@ NodeShape read_text(ItemReader& items) {
         pen.x += static_cast<double>(kerning.x) * scale;
         before = glyph;
         if (FT_Load_Glyph(face.get(), glyph, FT_LOAD_NO_SCALE) != 0) continue;
+        // The first letter begins at 0: povray takes its left side bearing back, from the whole text.
+        if (is_first) pen.x -= static_cast<double>(face->glyph->metrics.horiBearingX) * scale;
+        is_first = false;
         if (std::vector<Point> outline = outline_of(face->glyph->outline, scale); !outline.empty())
             group.children.push_back(glyph_node(std::move(outline), thickness, pen, where));
-        pen += offset;
+        // povray heeds no space between letters along z.
+        pen += Vec3d{offset.x, offset.y, 0};
         pen.x += static_cast<double>(face->glyph->metrics.horiAdvance) * scale;
     }
     if (!group.children.empty()) return group;

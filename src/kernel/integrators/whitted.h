@@ -116,7 +116,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
 #endif
     path.media = eye_insides(SCENE_ alive);
     path.alive = alive;
-    path.insides = no_insides();
+    path.insides = insides_of_eye(SCENE_ alive);
     first.t = real(3.0e38f);
     first.normal = black;
     first.albedo = black;
@@ -169,9 +169,9 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             real3 smooth_normal = s.normal;
             if (FEATURE(FEATURE_PATTERNED)) {
                 word interior = interior_of(SCENE_ s, lobes.patterned);
-                crossing = crossing_at(SCENE_ s, interior, path.insides);
+                crossing = crossing_at(interior, path.insides);
                 if (FEATURE(FEATURE_TRANSPARENT)) {
-                    real3 dimmed = inside_transmittance(SCENE_ path.insides, interior, crossing.leaves, hit.t);
+                    real3 dimmed = inside_transmittance(SCENE_ path.insides, hit.t);
                     path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
                 }
                 lobes.eta = select(lobes.patterned, crossing_eta(SCENE_ crossing, interior, path.insides), lobes.eta);

@@ -15,11 +15,12 @@ struct Insides {
     word outer;
 };
 
-FN Insides no_insides() {
-    Insides none;
-    none.inner = word(0u);
-    none.outer = word(0u);
-    return none;
+/// What the eye is in, for the lanes of `seeing`; nothing for others.
+FN Insides insides_of_eye(SCENE mask seeing) {
+    Insides list;
+    list.inner = select(seeing, word(FRAME.eye_interiors_inner), word(0u));
+    list.outer = select(seeing, word(FRAME.eye_interiors_outer), word(0u));
+    return list;
 }
 
 /// Number `i` (0: the innermost) of a list.
@@ -91,13 +92,13 @@ struct Crossing {
     Insides behind;  ///< The list beyond the surface.
 };
 
-/// Triangles say by the list whether a ray is inside them: their winding is often wrong. Solids know it, so rays that
-/// start inside them leave them too.
-FN Crossing crossing_at(SCENE Surface s, word interior, Insides list) {
+/// By the list alone, whichever side the ray comes from, as povray has it: open and clipped shapes are entered through
+/// their inner side too, a part that is cut out of a solid is entered from the solid, and triangles may be wound
+/// either way.
+FN Crossing crossing_at(word interior, Insides list) {
     word place = place_of_inside(list, interior);
-    mask triangle = FIELD(geometries, s.geometry, kind) == word(GEOMETRY_TRIANGLES);
     Crossing crossing;
-    crossing.leaves = select_mask(triangle, place < word(4u), s.from_behind);
+    crossing.leaves = place < word(4u);
     Insides with = insides_with(list, interior);
     Insides without = insides_without(list, place);
     mask enters = mask_and(mask_not(crossing.leaves), interior != word(0u));
@@ -115,17 +116,15 @@ FN real crossing_eta(SCENE Crossing crossing, word interior, Insides list) {
     return select(interior == word(0u), real(1.0f), eta);
 }
 
-/// What a ray's way of length `distance` to the surface s does to its light: all interiors that it is in dim it. One
-/// that started inside a solid knows that only when it leaves it.
-FN real3 inside_transmittance(SCENE Insides list, word interior, mask leaves, real distance) {
+/// What a ray's way of length `distance` does to its light: all interiors that it is in dim it.
+FN real3 inside_transmittance(SCENE Insides list, real distance) {
     real3 passes = real3(real(1.0f));
     for (uint i = 0u; i < 4u; i = i + 1u) {
         word inside = inside_at(list, i);
         if (!any_lane(inside != word(0u))) break;
         passes = passes * interior_transmittance(SCENE_ inside, distance);
     }
-    mask unknown = mask_and(leaves, place_of_inside(list, interior) == word(4u));
-    return passes * interior_transmittance(SCENE_ select(unknown, interior, word(0u)), distance);
+    return passes;
 }
 
 KERNEL_END

@@ -40,7 +40,9 @@ FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
     if (kind == FIELD_GRADIENT) {
         // The remainder keeps the sign of what is divided, which shows where a frequency isn't whole.
         real x = dot(p, real3(parameters));
-        return select(x < real(0.0f), -fraction(-x), fraction(x));
+        // The end of the first unit is the end of the map: the top of a unit box is not of the colour of its bottom.
+        real beyond = select(x <= real(1.0f), x, fraction(x));
+        return select(x < real(0.0f), -fraction(-x), beyond);
     }
     if (kind == FIELD_ONION) return fraction(length(p));
     if (kind == FIELD_SPHERICAL) return max(1.0f - length(p), real(0.0f));
