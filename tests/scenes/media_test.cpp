@@ -159,6 +159,7 @@ TEST_F(MediaScene, LightWithoutShadowsIsNotScattered) {
     add_light(scene_, scene::Light::Kind::sun, {0, 0, 1});
     scene::Medium medium;
     medium.scattering = {0.1F, 0.1F, 0.1F};
+    medium.extinction = 0;
     add_box(2, 3, clear_material({medium}));
     EXPECT_GT(middle(), 0.09F);
     scene_.lights[0].shadows = false;

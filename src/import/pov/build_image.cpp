@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <span>
 
 #include "fields/function_evaluator.h"
 #include "fields/pigment_evaluator.h"
@@ -140,34 +142,60 @@ scene::Index texture_of_function(BuildContext& context, ItemReader& items) {
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }
 
+/// Calls `f` with the name and contents of a PNG file's chunks as long as it returns true; not for other files.
+template <typename F>
+void for_png_chunks(const std::string& file, F f) {
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, 8> signature{};
+    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0) return;
+    std::array<unsigned char, 8> header{};
+    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
+        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
+                                   std::uint32_t{header[2]} << 8U | header[3];
+        // Chunks that are asked for are small.
+        std::array<unsigned char, 768> contents{};
+        const std::uint32_t kept = std::min<std::uint32_t>(size, contents.size());
+        if (!stream.read(reinterpret_cast<char*>(contents.data()), kept)) return;
+        const std::string name(header.begin() + 4, header.end());
+        if (!f(name, std::span<const unsigned char>(contents.data(), kept))) return;
+        stream.seekg(static_cast<std::streamoff>(size - kept) + 4, std::ios::cur);
+    }
+}
+
+/// True if a PNG file says how its numbers are encoded.
+bool tells_gamma(const std::string& file) {
+    bool tells = false;
+    for_png_chunks(file, [&](const std::string& name, std::span<const unsigned char>) {
+        tells = name == "gAMA" || name == "sRGB";
+        return !tells && name != "IDAT";
+    });
+    return tells;
+}
+
+/// Whether an image's numbers are sRGB-encoded. As povray's pictures show: before version 3.7, files that don't say so
+/// hold numbers as a scene does; from then on, all but PNM and TIFF files are sRGB-encoded.
 bool is_srgb(const BuildContext& context, const Block& block, const ImageName& image) {
     if (context.stored_colors(block.version)) return false;
-    return !image.gamma || *image.gamma > 1.5;
+    if (image.gamma) return *image.gamma > 1.5;
+    const std::filesystem::path file = context.find_file(image.name, image.where);
+    if (block.version < 370) return tells_gamma(file.string());
+    std::string kind = file.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return kind != ".ppm" && kind != ".pgm" && kind != ".tif" && kind != ".tiff";
 }
 
 }  // namespace
 
 std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file) {
     std::map<std::uint32_t, std::uint32_t> numbers;
-    std::ifstream stream(file, std::ios::binary);
-    std::array<char, 8> signature{};
-    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0)
-        return numbers;
-    std::array<unsigned char, 8> header{};
-    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
-        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
-                                   std::uint32_t{header[2]} << 8U | header[3];
-        if (std::memcmp(header.data() + 4, "PLTE", 4) == 0) {
-            std::array<unsigned char, 768> colors{};
-            if (size > colors.size() || !stream.read(reinterpret_cast<char*>(colors.data()), size)) return numbers;
-            for (std::uint32_t i = 0; i < size / 3; ++i)
-                numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
-                                    std::uint32_t{colors[3 * i + 2]} << 16U,
-                                i);
-            return numbers;
-        }
-        stream.seekg(static_cast<std::streamoff>(size) + 4, std::ios::cur);
-    }
+    for_png_chunks(file, [&](const std::string& name, std::span<const unsigned char> colors) {
+        if (name != "PLTE") return name != "IDAT";
+        for (std::uint32_t i = 0; i < colors.size() / 3; ++i)
+            numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
+                                std::uint32_t{colors[3 * i + 2]} << 16U,
+                            i);
+        return false;
+    });
     return numbers;
 }
 

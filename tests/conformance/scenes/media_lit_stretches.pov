@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spots and a cylinder that overlap, one light without shadows, which media don't scatter; intervals by `ratio`.
+// Spots and a cylinder that overlap, one light without shadows, which media don't scatter.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 1, -6> look_at 0 angle 45 }
@@ -10,4 +10,4 @@ light_source { <0, 5, 1> rgb 0.5 cylinder point_at <0, -1, 1> radius 0.5 falloff
 plane { y, -1 hollow pigment { rgb 0.7 } }
 plane { -z, -4 hollow pigment { rgb <0.5, 0.6, 0.9> } }
 sphere { <-1, 0.6, 0.7>, 0.4 pigment { rgb <1, 0.4, 0.4> } }
-media { scattering { 1, 0.06 } emission 0.01 intervals 3 samples 8 }
+media { scattering { 1, 0.06 } emission 0.01 samples 8 }
