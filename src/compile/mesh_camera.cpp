@@ -25,8 +25,10 @@ public:
             const auto [left, right] = std::minmax({uv[0].x, uv[1].x, uv[2].x});
             const auto [bottom, top] = std::minmax({uv[0].y, uv[1].y, uv[2].y});
             if (right < 0 || left > 1 || top < 0 || bottom > 1) continue;
-            for (int y = cell(bottom); y <= cell(top); ++y)
-                for (int x = cell(left); x <= cell(right); ++x) cells_[index(x, y)].push_back(i);
+            // As wide as at() looks.
+            const float wide = 1e-4F * std::max(right - left, top - bottom);
+            for (int y = cell(bottom - wide); y <= cell(top + wide); ++y)
+                for (int x = cell(left - wide); x <= cell(right + wide); ++x) cells_[index(x, y)].push_back(i);
         }
     }
 
@@ -34,8 +36,11 @@ public:
         std::uint32_t triangle = 0;
         std::array<float, 3> weights{};
     };
-    /// The first triangle around (u, v).
+    /// The first triangle around (u, v). Edges are a little wide: places between two triangles belong to one of them.
     [[nodiscard]] std::optional<Found> at(float u, float v) const {
+        constexpr float kEdge = 1e-4F;
+        std::optional<Found> found;
+        float best = -kEdge;
         for (const std::uint32_t i : cells_[index(cell(u), cell(v))]) {
             const std::array<Vec2, 3> uv = corners(i);
             const auto area = [](Vec2 a, Vec2 b, Vec2 c) {
@@ -46,9 +51,11 @@ public:
             const Vec2 p{u, v};
             const float b = area(uv[0], p, uv[2]) / whole;
             const float c = area(uv[0], uv[1], p) / whole;
-            if (b >= 0 && c >= 0 && b + c <= 1) return Found{i, {1 - b - c, b, c}};
+            const float within = std::min({1 - b - c, b, c});
+            if (within >= 0) return Found{i, {1 - b - c, b, c}};
+            if (within > best) best = within, found = Found{i, {1 - b - c, b, c}};
         }
-        return std::nullopt;
+        return found;
     }
 
 private:

@@ -260,7 +260,8 @@ private:
 
     void write_choice(const Pattern& pattern, std::uint32_t slot, std::uint32_t base) {
         // Floors and walls lie on the borders of squares all the time (a checker on plane { y, -1 }); single precision
-        // would draw lots there. POV-Ray gives such a border to the upper side.
+        // would draw lots there. POV-Ray gives such a border to the upper side. Squares larger than a unit have no
+        // wider borders.
         constexpr double kBorder = 1e-4;
         if (pattern.kind == Pattern::Kind::object || pattern.kind == Pattern::Kind::material) {
             const std::uint32_t point = write_point(pattern, *where_, slot, base);
@@ -269,7 +270,11 @@ private:
             return;
         }
         Pattern raised = pattern;
-        raised.pattern_from_texture.t += Vec3d{kBorder, kBorder, kBorder};
+        Affine3d& m = raised.pattern_from_texture;
+        const auto border = [&](double x, double y, double z) {
+            return kBorder * std::min(1.0, length(Vec3d{x, y, z}));
+        };
+        m.t += Vec3d{border(m.x.x, m.y.x, m.z.x), border(m.x.y, m.y.y, m.z.y), border(m.x.z, m.y.z, m.z.z)};
         const std::uint32_t point = write_point(raised, *where_, slot, base);
         instruction(kernel::OP_CHOICE, slot, point);
         code_.push_back(choice_of(pattern.kind).value_or(kernel::CHOICE_CHECKER));

@@ -211,16 +211,20 @@ TEST(Csg, MaterialsPassDownToThoseWithoutOne) {
     EXPECT_EQ((std::vector<std::uint32_t>{1, 3, 4, 9}), solid->materials());
 }
 
-// Catches mere surfaces in intersections and merges: what lies inside the others is seen, or is not.
+// Catches discs whose inside isn't the half of space behind them: what they cut away, and what they hide.
 TEST(Csg, DiscsInGroups) {
     const SolidPointer disc = pointer_to(scene::Disc{{0, 0, 0}, {0, 1, 0}, 2});
     const Ray inner{{0.5, 5, 0}, {0, -1, 0}};
     const Ray outer{{1.5, 5, 0}, {0, -1, 0}};
     const auto cut = compile_solid(*intersected({disc, inverted(sphere({0, 0, 0}, 1))}), 0);
     EXPECT_TRUE(cut->nearest(outer, {}));
-    EXPECT_FALSE(cut->nearest(inner, {}));
+    EXPECT_NEAR(5 + std::sqrt(0.75), cut->nearest(inner, {})->t, 1e-9);  // the hollow's ground, under the disc
+    const auto dome = compile_solid(*difference({sphere({0, 0, 0}, 1), disc}), 0);
+    EXPECT_EQ(2U, all_hits(*dome, inner).size());  // onto its top, and out through the cut
+    EXPECT_FALSE(dome->inside({0, -0.5, 0}));
+    // Under the disc nothing of the other is left to be seen.
     const auto joined_up = compile_solid(*merged({disc, sphere({0, 0, 0}, 1)}), 0);
-    EXPECT_EQ(2U, all_hits(*joined_up, inner).size());
+    EXPECT_EQ(1U, all_hits(*joined_up, inner).size());
     EXPECT_EQ(1U, all_hits(*joined_up, outer).size());
     EXPECT_EQ(3U, all_hits(*compile_solid(*united({disc, sphere({0, 0, 0}, 1)}), 0), inner).size());
 }

@@ -6,6 +6,8 @@
 namespace sundog::solids {
 namespace {
 
+// Part of a plane is to be seen; inside is all that lies behind the plane, as CSG has it (reference,
+// section 3.4.5.2.2).
 class Disc final : public Shape {
 public:
     explicit Disc(const scene::Disc& d)
@@ -13,18 +15,17 @@ public:
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
         const double speed = dot(normal_, ray.direction);
-        if (speed == 0) return false;
+        if (speed == 0) return inside(ray.at(range.lower));
         const double t = dot(normal_, center_ - ray.origin) / speed;
-        if (!range.contains(t)) return false;
+        if (!range.contains(t)) return (t <= range.lower) == (speed < 0);
         const Vec3d from_center = ray.at(t) - center_;
         const double squared = dot(from_center, from_center);
-        if (squared > radius_ * radius_ || squared < hole_radius_ * hole_radius_) return false;
         Crossing c{t};
-        c.toggles = false;
+        c.visible = squared <= radius_ * radius_ && squared >= hole_radius_ * hole_radius_;
         out.push_back(c);
-        return false;
+        return speed > 0;
     }
-    [[nodiscard]] bool inside(Vec3d) const override { return false; }
+    [[nodiscard]] bool inside(Vec3d p) const override { return dot(normal_, p - center_) < 0; }
     [[nodiscard]] Vec3d normal(Vec3d, const Crossing&) const override { return normal_; }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
         // Along an axis, a circle reaches as far as its radius times the sine between that axis and its normal; in the
@@ -35,7 +36,7 @@ public:
                             radius_;
         return transformed(m, {center_ - reach, center_ + reach});
     }
-    [[nodiscard]] Bounds3d inside_bounds(const Affine3d&) const override { return {}; }
+    [[nodiscard]] Bounds3d inside_bounds(const Affine3d&) const override { return everywhere(); }
 
 private:
     Vec3d center_, normal_;

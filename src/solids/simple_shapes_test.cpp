@@ -210,13 +210,14 @@ TEST(SimpleShapes, PolynomialsOfHigherOrder) {
     expect_solid_properties(placed(polynomial({{3, 0, 0, 1}, {0, 3, 0, 1}, {0, 0, 3, 1}, {1, 1, 0, -2}})), 3);
 }
 
-// Catches a disc with the wrong hole, or one that thinks that it has an inside.
-TEST(SimpleShapes, DiscsHaveHolesAndNoInside) {
+// Catches a disc with the wrong hole, or with its inside on the wrong side.
+TEST(SimpleShapes, DiscsHaveHolesAndAnInsideBehindThem) {
     const auto disc = compile_solid(solid_of(scene::Disc{{0, 1, 0}, {0, 2, 0}, 1, 0.5}), 0);
     EXPECT_TRUE(disc->nearest({{0.7, 5, 0}, {0, -1, 0}}, {}));
     EXPECT_FALSE(disc->nearest({{0.3, 5, 0}, {0, -1, 0}}, {}));
     EXPECT_FALSE(disc->nearest({{1.1, 5, 0}, {0, -1, 0}}, {}));
-    EXPECT_FALSE(disc->inside({0.7, 0.5, 0}));
+    EXPECT_TRUE(disc->inside({0.7, 0.5, 0}));
+    EXPECT_FALSE(disc->inside({0.7, 1.5, 0}));
     EXPECT_NEAR(1, disc->bounds().upper.y, 1e-9);
     EXPECT_NEAR(-1, disc->bounds().lower.x, 1e-9);
 }

@@ -196,11 +196,11 @@ Value Interpreter::parse_full() {
 
 namespace {
 
-/// Compares as the operator says: with kEpsilon for floats, exactly (0) for the outcome of strcmp.
+/// Compares as the operator says: < and > exactly, the others with `epsilon`, which is 0 for the outcome of strcmp.
 double compared(TokenKind kind, double a, double b, double epsilon) {
     switch (kind) {
         case TokenKind::left_angle:
-            return a < b && b - a > epsilon ? 1 : 0;
+            return a < b ? 1 : 0;
         case TokenKind::less_equal:
             return a <= b + epsilon ? 1 : 0;
         case TokenKind::equals:
@@ -210,7 +210,7 @@ double compared(TokenKind kind, double a, double b, double epsilon) {
         case TokenKind::greater_equal:
             return a >= b - epsilon ? 1 : 0;
         default:
-            return a > b && a - b > epsilon ? 1 : 0;
+            return a > b ? 1 : 0;
     }
 }
 

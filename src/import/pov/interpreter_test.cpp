@@ -64,6 +64,10 @@ TEST(PovInterpreter, Expressions) {
     EXPECT_EQ(evaluated("2 - -3"), "5");
     EXPECT_EQ(evaluated("(2>1 | 0 & 0)"), "0");
     EXPECT_EQ(evaluated("(1 < 2 ? 3 : 4)"), "3");
+    // Catches loops that end a step too early: sums of tenths that fall just short of 1 are less than 1, and equal 1.
+    EXPECT_EQ(evaluated("(1 - 1e-12 < 1 ? 3 : 4)"), "3");
+    EXPECT_EQ(evaluated("(1 - 1e-12 = 1 ? 3 : 4)"), "3");
+    EXPECT_EQ(evaluated("(1 - 1e-12 >= 1 ? 3 : 4)"), "3");
     EXPECT_EQ(evaluated("<1,2,3>.z + y.y"), "4");
     EXPECT_EQ(evaluated("<1,2> + <1,2,3>"), "<2, 4, 3>");
     EXPECT_EQ(evaluated("(1 < 2) + (<1,2,3> = <3,2,1>)"), "<1, 2, 1>");
