@@ -2,6 +2,7 @@
 #include "compile/compile.h"
 #include "base/srgb.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -131,9 +132,10 @@ private:
     const WarningSink& warn_;
 };
 
-/// Which rays don't see an object.
-std::uint32_t hidden_from(const scene::Object& object) {
-    return (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
+/// Which rays don't see an object. Where `some_project`, some rays see only objects that lights are projected through.
+std::uint32_t hidden_from(const scene::Object& object, bool some_project) {
+    if (object.projects > 0) return ~(kernel::RAY_PROJECTION << (object.projects - 1));
+    return (some_project ? kernel::RAY_ANY_PROJECTION : 0U) | (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
            (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW) |
            (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
 }
@@ -141,12 +143,15 @@ std::uint32_t hidden_from(const scene::Object& object) {
 /// Lists the geometries of the scene's objects.
 class GeometryList {
 public:
-    explicit GeometryList(RenderScene& out) : out_(out) {}
+    GeometryList(const scene::Scene& scene, RenderScene& out)
+        : out_(out),
+          some_project_(std::any_of(scene.objects.begin(), scene.objects.end(),
+                                    [](const scene::Object& object) { return object.projects > 0; })) {}
 
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
         if (object.motion) geometry.instance = instance_count_++;
-        geometry.hidden_from = hidden_from(object);
+        geometry.hidden_from = hidden_from(object, some_project_);
         out_.geometries.push_back(geometry);
         out_.geometry_names.push_back(object.name);
         out_.geometry_objects.push_back(object_);
@@ -168,10 +173,11 @@ private:
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
                last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
-               last.hidden_from == hidden_from(object);
+               last.hidden_from == hidden_from(object, some_project_);
     }
 
     RenderScene& out_;
+    bool some_project_;
     std::uint32_t object_ = 0;
     std::uint32_t instance_count_ = 0;
 };
@@ -239,7 +245,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
     compile_camera(scene, *out);
 
     const MeshAttributes attributes = attributes_of(scene, *out);
-    GeometryList list(*out);
+    GeometryList list(scene, *out);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
         list.begin_object(static_cast<std::uint32_t>(i));
@@ -256,6 +262,9 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         out->bounds.include(world_bounds_of(object, bounds_of(object)));
     }
     out->features = features_of(*out, attributes, list.moving());
+    const auto grouped = [](const scene::Light& light) { return light.group != 0; };
+    if (!scene.light_sets.empty() || std::any_of(scene.lights.begin(), scene.lights.end(), grouped))
+        out->features |= kernel::FEATURE_LIGHT_GROUPS;
     if (scene.radiosity) out->radiosity = scene.radiosity->where;
 
     // Arrays bound to a kernel are never empty, and positions are read four floats at a time.

@@ -150,7 +150,8 @@ void set_radiosity(const scene::Radiosity& r, Frame& frame) {
 
 /// What lights other than plain lamps and suns need.
 bool has_shape(const kernel::Light& light) {
-    return light.kind == kernel::LIGHT_SPOT || light.kind == kernel::LIGHT_CYLINDER || light.fade_power > 0;
+    return light.kind == kernel::LIGHT_SPOT || light.kind == kernel::LIGHT_CYLINDER || light.fade_power > 0 ||
+           (light.flags & kernel::LIGHT_ILLUMINATES) != 0;
 }
 
 }  // namespace
@@ -166,6 +167,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     set_camera(scene, options, time_s, params);
     if (!options.camera) frame.camera_rays = compiled.camera_rays, frame.camera_normal = compiled.camera_normal;
     params.ambient = to_kernel(scene.ambient);
+    params.irid_wavelength = to_kernel(scene.irid_wavelength);
     params.sky = to_kernel(scene.sky);
     params.max_depth = static_cast<std::uint32_t>(choose(options.max_depth, settings.max_depth, kDefaultMaxDepth));
     params.min_weight = choose(options.min_weight, settings.min_weight, kDefaultMinWeight);
@@ -176,7 +178,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
 
     bool some_light_casts_shadows = false;
     for (const scene::Light& light : scene.lights) {
-        append_lights(light, time_s, frame.lights);
+        frame.lights.push_back(light_at(light, time_s));
         some_light_casts_shadows = some_light_casts_shadows || light.shadows;
     }
     params.fog_count = static_cast<std::uint32_t>(scene.fogs.size());

@@ -150,24 +150,13 @@ TEST(Frame, InstancesFollowTheirObjects) {
     expect_near(frame.instances[0].object_from_world_t, {-7, 0, 0});
 }
 
-// An area whose lights light one by one has them where they are, and no more light than a point has.
-TEST(Lights, AnIlluminatingAreaBecomesItsLights) {
+// Areas whose lights light one by one cost more: no other light may say so.
+TEST(Lights, OnlyAnIlluminatingAreaLightsInParts) {
     scene::Light light;
-    light.place = {0, 0, 5};
-    light.color = {1, 2, 3};
     light.area = scene::LightArea{{2, 0, 0}, {0, 4, 0}, 3, 2};
-    std::vector<kernel::Light> lights;
-    append_lights(light, 0, lights);
-    ASSERT_EQ(lights.size(), 1U) << "an area that only casts shadows is one light";
-    lights.clear();
+    EXPECT_EQ(light_at(light, 0).flags & kernel::LIGHT_ILLUMINATES, 0U);
     light.area->illuminates = true;
-    append_lights(light, 0, lights);
-    ASSERT_EQ(lights.size(), 6U);
-    EXPECT_FLOAT_EQ(lights.front().place.x, -1);
-    EXPECT_FLOAT_EQ(lights.back().place.y, 2);
-    float sum = 0;
-    for (const kernel::Light& part : lights) sum += part.color.z;
-    EXPECT_FLOAT_EQ(sum, 3);
+    EXPECT_NE(light_at(light, 0).flags & kernel::LIGHT_ILLUMINATES, 0U);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "compile/convert.h"
-#include "kernel/lights/light.h"
 
 namespace sundog {
 namespace {
@@ -34,34 +33,10 @@ void set_area(const scene::LightArea& area, kernel::Light& out) {
     if (area.circular) out.flags |= kernel::LIGHT_CIRCULAR;
     if (area.orient) out.flags |= kernel::LIGHT_ORIENT;
     if (area.jitter) out.flags |= kernel::LIGHT_JITTER;
+    if (area.illuminates) out.flags |= kernel::LIGHT_ILLUMINATES;
 }
 
 }  // namespace
-
-void append_lights(const scene::Light& light, float time_s, std::vector<kernel::Light>& out) {
-    constexpr int kMostLights = 4096;
-    const kernel::Light whole = light_at(light, time_s);
-    const bool in_parts = light.area && light.area->illuminates && !light.area->orient &&
-                          light.kind != scene::Light::Kind::sun &&
-                          light.area->size1 <= kMostLights / std::max(light.area->size2, 1);
-    if (!in_parts) {
-        out.push_back(whole);
-        return;
-    }
-    const std::uint32_t count_u = whole.area_count_u, count_v = whole.area_count_v;
-    const float share = 1 / static_cast<float>(count_u * count_v);
-    for (std::uint32_t u = 0; u < count_u; ++u) {
-        for (std::uint32_t v = 0; v < count_v; ++v) {
-            const kernel::real3 place =
-                kernel::area_light_place(whole, kernel::place_in_row(u, count_u), kernel::place_in_row(v, count_v), {});
-            kernel::Light part = whole;
-            part.area_count_u = part.area_count_v = 1;
-            part.place = {place.x, place.y, place.z};
-            part.color = to_kernel(light.color * share);
-            out.push_back(part);
-        }
-    }
-}
 
 kernel::Light light_at(const scene::Light& light, float time_s) {
     Vec3 place = scene::place_at(light, time_s);
@@ -93,6 +68,10 @@ kernel::Light light_at(const scene::Light& light, float time_s) {
     out.fade_power = light.fade_power;
     out.area_count_u = out.area_count_v = 1;
     if (light.area) set_area(*light.area, out);
+    out.group = light.group;
+    // What a group keeps for its objects doesn't light the media around them.
+    if (out.group != 0) out.flags |= kernel::LIGHT_PASSES_MEDIA;
+    out.projection = light.projection > 0 ? kernel::RAY_PROJECTION << (light.projection - 1) : 0;
     return out;
 }
 

@@ -11,6 +11,9 @@ namespace {
 
 Vec3d to_vec3d(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
 
+/// What only lights that are projected through it meet.
+bool is_projector(const kernel::Geometry& g) { return (g.hidden_from | kernel::RAY_ANY_PROJECTION) == kernel::RAY_ALL; }
+
 class InsideFinder {
 public:
     /// What of a material is listed, `none` standing for nothing.
@@ -20,12 +23,13 @@ public:
 
     std::vector<std::uint32_t> find() {
         for (const kernel::Geometry& g : scene_.geometries) {
-            if (g.instance != kernel::NONE) continue;
+            if (g.instance != kernel::NONE || is_projector(g)) continue;
             for (std::uint32_t i = g.first_primitive; i < g.first_primitive + g.primitive_count; ++i)
                 add_primitive(g, i);
         }
         for (const PlacedSolid& placed : scene_.solids) {
             const std::vector<std::uint32_t>& materials = placed.solid->materials();
+            if (is_projector(scene_.geometries[placed.geometry])) continue;
             if (!materials.empty() && placed.solid->inside(point_)) add(materials.front());
         }
         return found_;

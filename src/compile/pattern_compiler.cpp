@@ -52,6 +52,9 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
     out.reflection_min = to_kernel(f.reflection_min), out.reflection_max = to_kernel(f.reflection_max);
     out.reflection_falloff = f.reflection_falloff;
     out.reflection_metallic = f.reflection_metallic;
+    out.reflection_exponent = f.reflection_exponent > 0 ? f.reflection_exponent : 1;
+    out.crand = f.crand;
+    out.irid = f.irid, out.irid_thickness = f.irid_thickness, out.irid_turbulence = f.irid_turbulence;
     return out;
 }
 
@@ -62,6 +65,8 @@ std::uint32_t samples_of_interval(const scene::Medium& m) {
     if (m.method == 3) return static_cast<std::uint32_t>(2 + std::max(m.samples, 3) / 2);
     return static_cast<std::uint32_t>(m.samples <= 1 ? 1 : (m.samples + m.samples_most + 1) / 2);
 }
+
+constexpr int kMostColors = 1000;
 
 bool reflects(const scene::Finish& f) { return !(f.reflection_min == Vec3{} && f.reflection_max == Vec3{}); }
 
@@ -224,7 +229,7 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
     for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
         out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment, layer->share.get())));
         out_.layers.back().normal = kernel::NONE;
-        if (layer->normal) {
+        if (layer->normal && !layer->normal->is_flat()) {
             out_.layers.back().normal = normals_of(*layer->normal);
             out_.layers.back().normal_uses_uv = layer->normal->uv_mapping ? 1 : 0;
         }
@@ -234,6 +239,8 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
         layers.transparent = layers.transparent && lets_light_through(*layer->pigment, scene_.textures);
         if (layer->parts_end) layers.transparent = layers.transparent || some_part;
         layers.reflective = layers.reflective || reflects(layer->finish);
+        layers.exponent = layers.exponent || (reflects(layer->finish) && out_.layers.back().reflection_exponent != 1);
+        layers.backlit = layers.backlit || layer->finish.diffuse_back != 0;
     }
     return layers;
 }
@@ -241,7 +248,7 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
 std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surface) {
     // The open air, and after it the interior of all objects that have none of their own: within glass, povray takes
     // them for bubbles of air.
-    if (out_.interiors.empty()) out_.interiors.assign(2, {1, 1, 0, {1, 1, 1}});
+    if (out_.interiors.empty()) out_.interiors.assign(2, {1, 1, 0, {1, 1, 1}, 1, 1});
     if (surface.interior_number == 0 && surface.interior == scene::Interior{}) return 1;
     if (const auto known = interiors_.find(surface.interior_number);
         known != interiors_.end() && surface.interior_number != 0)
@@ -252,11 +259,29 @@ std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surfac
     out.fade_distance = interior.fade_distance > 0 ? interior.fade_distance : 1;
     out.fade_power = interior.fade_distance > 0 ? interior.fade_power : 0;
     out.fade_color = to_kernel(interior.fade_color);
+    out.dispersion = interior.dispersion > 0 ? interior.dispersion : 1;
+    out.dispersion_samples = static_cast<std::uint32_t>(std::clamp(interior.dispersion_samples, 2, kMostColors));
     // Beyond the numbers that rays can keep, objects share the last.
     if (out_.interiors.size() < kernel::MAX_INTERIORS) out_.interiors.push_back(out);
     const auto number = static_cast<std::uint32_t>(out_.interiors.size() - 1);
     interiors_[surface.interior_number] = number;
     return number;
+}
+
+std::uint32_t PatternCompiler::light_set_of(std::uint32_t number) {
+    std::uint32_t most = 0;
+    for (const scene::Light& light : scene_.lights) most = std::max(most, light.group);
+    if (most == 0 && scene_.light_sets.empty()) return 0;
+    const auto [known, is_new] = light_sets_.try_emplace(number, static_cast<std::uint32_t>(out_.code.size()));
+    if (!is_new) return known->second;
+    constexpr std::uint32_t kBits = 32;
+    const scene::LightSet set = number == 0 ? scene::LightSet{} : scene_.light_sets.at(number - 1);
+    std::vector<std::uint32_t> words(most / kBits + 1);
+    if (set.scene_lights) words[0] |= 1U;
+    for (const std::uint32_t group : set.groups)
+        if (group <= most) words[group / kBits] |= 1U << (group % kBits);
+    out_.code.insert(out_.code.end(), words.begin(), words.end());
+    return known->second;
 }
 
 kernel::Material PatternCompiler::compile_surface(const scene::Material& material) {
@@ -270,6 +295,11 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     patterned.texture_from_world_t = to_kernel(to_float(m.t));
     patterned.first_layer = layers.first, patterned.layer_count = layers.count;
     patterned.interior = interior_of(surface);
+    patterned.light_set = light_set_of(surface.light_set);
+    patterned.double_illuminated = surface.double_illuminate ? 1 : 0;
+    if (out_.interiors[patterned.interior].dispersion != 1)
+        out_.only_on_cpu.push_back({material.where, "light is dispersed by the CPU only"});
+    if (layers.exponent) out_.only_on_cpu.push_back({material.where, "reflection_exponent is for the CPU only"});
 
     patterned.medium = kernel::NONE;
     if (!surface.hollow) {
@@ -281,6 +311,7 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     kernel::Material out{};
     out.flags = kernel::MATERIAL_PATTERNED;
     if (layers.transparent) out.flags |= kernel::MATERIAL_TRANSPARENT;
+    if (layers.backlit || surface.double_illuminate) out.flags |= kernel::MATERIAL_BACKLIT;
     if (layers.reflective) out.reflectance = {1, 1, 1};  // Only told to material_features; the layers say how much.
     if (layers.transparent) out.transmittance = {1, 1, 1};
     out.ior = out_.interiors[patterned.interior].ior;
@@ -335,9 +366,12 @@ std::uint32_t pattern_features(const RenderScene& scene, const kernel::Material&
     if ((material.flags & kernel::MATERIAL_PATTERNED) == 0) return 0;
     const kernel::PatternedMaterial& patterned = scene.patterned[material.patterned];
     std::uint32_t features = kernel::FEATURE_PATTERNED;
+    if ((material.flags & kernel::MATERIAL_BACKLIT) != 0) features |= kernel::FEATURE_BACKLIT;
+    if (scene.interiors[patterned.interior].dispersion != 1) features |= kernel::FEATURE_DISPERSION;
     for (std::uint32_t i = 0; i < patterned.layer_count; ++i) {
         const kernel::Layer& layer = scene.layers[patterned.first_layer + i];
         if (layer.normal != kernel::NONE) features |= kernel::FEATURE_NORMALS;
+        if (layer.reflection_exponent != 1) features |= kernel::FEATURE_EXPONENTS;
         if (layer.uses_uv != 0 || (layer.normal != kernel::NONE && layer.normal_uses_uv != 0))
             features |= kernel::FEATURE_TEXTURES;
     }

@@ -33,10 +33,12 @@ public:
 private:
     struct Layers {
         std::uint32_t first = 0, count = 0;
-        bool transparent = false, reflective = false;
+        bool transparent = false, reflective = false, exponent = false, backlit = false;
     };
     /// Its interior's number among the RenderScene's.
     std::uint32_t interior_of(const scene::PatternedSurface& surface);
+    /// Where a light set's bits are in `code` (PatternedMaterial::light_set); `number` as PatternedSurface::light_set.
+    std::uint32_t light_set_of(std::uint32_t number);
     const Layers& layers_of(const scene::Material& material);
     std::uint32_t program_of(const scene::Pigment& pigment, const scene::Pigment* weight = nullptr);
     /// Where a normal's pattern has warps: the program of its point; else NONE.
@@ -53,7 +55,8 @@ private:
     std::shared_ptr<fields::HostFieldTable> host_;
     std::map<const scene::LayeredTexture*, Layers> compiled_;
     std::map<std::uint32_t, std::uint32_t> interiors_;  // By the scene's numbers.
-    std::map<std::string, std::uint32_t> media_;        ///< By the list's address and place.
+    std::map<std::uint32_t, std::uint32_t> light_sets_;
+    std::map<std::string, std::uint32_t> media_;  ///< By the list's address and place.
 };
 
 /// FEATURE_* bits that a material of layers needs; 0 for others.

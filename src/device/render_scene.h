@@ -42,6 +42,12 @@ struct PlacedSolid {
     SourceLocation where;        ///< Of the object in the scene's file.
 };
 
+/// What of a scene only the CPU device draws, and where the file asks for it.
+struct CpuFeature {
+    SourceLocation where;
+    std::string sentence;
+};
+
 /// A compiled scene: the kernel's arrays (see kernel/arrays.h), immutable once made by compile(), shared by devices.
 struct RenderScene : render_scene_detail::Arrays {
     std::uint32_t features = 0;  ///< FEATURE_* bits that the scene itself needs (shadows and culling are the frame's).
@@ -61,7 +67,8 @@ struct RenderScene : render_scene_detail::Arrays {
     SourceLocation camera_where;
     /// Of which programs in `code` ask what only the host computes; null: none does.
     std::shared_ptr<const kernel::HostFields> host_fields;
-    SourceLocation first_host_field;  ///< The first pattern that needs them.
+    SourceLocation first_host_field;      ///< The first pattern that needs them.
+    std::vector<CpuFeature> only_on_cpu;  ///< Finishes and interiors.
 };
 
 /// Bytes of all arrays.

@@ -28,7 +28,11 @@ KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is
 KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
 KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
 KERNEL_CONST uint RAY_RADIOSITY = 8u;  ///< From a point whose irradiance is gathered.
-KERNEL_CONST uint RAY_ALL = 255u;
+/// Through what lights are projected: the first of 24 such bits, of which each object that lights shine through has
+/// one.
+KERNEL_CONST uint RAY_PROJECTION = 256u;
+KERNEL_CONST uint RAY_ANY_PROJECTION = 0xffffff00u;
+KERNEL_CONST uint RAY_ALL = 0xffffffffu;
 
 KERNEL_CONST uint LIGHT_LAMP = 0u;
 KERNEL_CONST uint LIGHT_SUN = 1u;
@@ -41,6 +45,7 @@ KERNEL_CONST uint LIGHT_HIGHLIGHTS = 2u;
 KERNEL_CONST uint LIGHT_CIRCULAR = 4u;        ///< An area's grid is bent to a disc.
 KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit point.
 KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
+KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
 KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
 
@@ -63,6 +68,7 @@ KERNEL_CONST uint MATERIAL_TEXTURED = 16u;     ///< Any *_texture is set, or che
 KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, or opacity_texture is set: never culled.
 
 KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material::patterned says which.
+KERNEL_CONST uint MATERIAL_BACKLIT = 128u;   ///< Light on its back is seen from the front.
 
 /// Layer::flags.
 KERNEL_CONST uint LAYER_FRESNEL = 1u;          ///< Reflection follows Fresnel's equations by the interior's ior.
@@ -200,6 +206,11 @@ KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cy
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
 KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
 
+KERNEL_CONST uint FEATURE_BACKLIT = 32768u;       ///< Some material is MATERIAL_BACKLIT.
+KERNEL_CONST uint FEATURE_LIGHT_GROUPS = 65536u;  ///< Some light doesn't reach everything.
+KERNEL_CONST uint FEATURE_DISPERSION = 131072u;   ///< Some interior disperses light (the CPU device's alone).
+KERNEL_CONST uint FEATURE_EXPONENTS = 262144u;    ///< Some layer has a reflection_exponent (the CPU device's alone).
+
 KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
 KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
 KERNEL_CONST uint FEATURE_HOLLOW =
@@ -314,7 +325,9 @@ struct PatternedMaterial {
     vec3 texture_from_world_x, texture_from_world_y, texture_from_world_z, texture_from_world_t;
     uint first_layer, layer_count;  ///< Into `layers`, the top one first.
     uint interior;                  ///< Into `interiors`; 0: none.
-    uint medium;  ///< What is inside: media (a list of them in `code`), MEDIUM_SOLID, or NONE: what is around it.
+    uint medium;     ///< What is inside: media (a list of them in `code`), MEDIUM_SOLID, or NONE: what is around it.
+    uint light_set;  ///< If FEATURE_LIGHT_GROUPS: into `code`, bit k of which tells if light group k reaches it.
+    uint double_illuminated;  ///< 1: lit on its back as on its front.
 };
 
 /// What is inside an object. Number 0 is the open air.
@@ -322,6 +335,8 @@ struct Interior {
     float ior;
     float fade_distance, fade_power;  ///< Light dims on its way; power 0: not at all; 1000 and more: exponentially.
     vec3 fade_color;
+    float dispersion;         ///< Index of refraction of violet over that of red light.
+    uint dispersion_samples;  ///< Colours that light is split into.
 };
 
 /// One layer: a pigment and a finish, with POV-Ray's meaning (reference, section 3.5.4). Colours linear.
@@ -340,6 +355,9 @@ struct Layer {
     vec3 reflection_min, reflection_max;
     float reflection_falloff;
     float reflection_metallic;
+    float reflection_exponent;  ///< If FEATURE_EXPONENTS: one over the exponent of the radiance that is reflected.
+    float crand;                ///< Random darkening of matt light, at most.
+    float irid, irid_thickness, irid_turbulence;  ///< A thin film; amount 0: none.
 };
 
 struct Light {
@@ -354,6 +372,8 @@ struct Light {
     vec3 area_u, area_v;              ///< An area's sides; it is centred on place.
     uint area_count_u, area_count_v;  ///< Lights along them; 1 by 1: a point.
     uint area_probes;  ///< Lights a side that are asked first: where they agree, they speak for all. 0: ask all.
+    uint group;        ///< Light group; 0: of the whole scene. See PatternedMaterial::light_set.
+    uint projection;   ///< RAY_* bit of the object that it shines through alone; 0: none.
 };
 
 /// Pinhole: a ray through image point (x, y) in [0,1]^2 (y down) starts at eye, towards
@@ -393,6 +413,7 @@ struct FrameParams {
     float camera_angle, camera_vertical_angle;  ///< Radians, of the whole view; kinds that have one.
     vec3 ambient;
     vec3 sky;
+    vec3 irid_wavelength;  ///< Of red, green and blue light, in units of films' thickness.
     uint width, height;
     uint max_depth;    ///< Secondary rays on a path at most; 0: what the eye sees directly.
     float min_weight;  ///< A secondary ray of less weight (its largest channel) is not traced.

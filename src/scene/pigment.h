@@ -58,7 +58,7 @@ struct PatternNormal {
     Kind kind = Kind::bumps;
     Pattern pattern;  ///< Where it lies, its turbulence; frequency and phase of ripples and waves; special: the
                       ///< pattern, quilted or facets.
-    std::shared_ptr<const Pigment> height;  ///< pattern, image: its grey, asked at the pattern's own point.
+    std::shared_ptr<const Pigment> height;  ///< pattern, image: its grey, asked at the pattern's own point; null: flat.
     double texel_u = 0, texel_v = 0;        ///< image: a texel's size.
     float amount = 0.5F;
     double accuracy = 0.02;                 ///< pattern: the distance over which its slope is found.
@@ -70,6 +70,10 @@ struct PatternNormal {
 struct Normal {
     std::vector<PatternNormal> parts;
     bool uv_mapping = false;
+    /// Whether it bends nothing, but has an amount and a place for normals that start from it.
+    [[nodiscard]] bool is_flat() const {
+        return parts.size() == 1 && parts[0].kind == PatternNormal::Kind::pattern && !parts[0].height;
+    }
 };
 
 /// How a surface answers to light (section 3.5.4 "Finish"). Colours linear.
@@ -87,6 +91,8 @@ struct Finish {
     float reflection_metallic = 0;
     bool reflection_fresnel = false;
     bool conserve_energy = false;
+    float crand = 0;  ///< Each light's matt light is darkened by up to this much, at random.
+    float irid = 0, irid_thickness = 0, irid_turbulence = 0;  ///< A thin film: how much it does, and what it is like.
 };
 
 /// One layer of a texture.
@@ -104,7 +110,8 @@ struct TextureLayer {
 /// What is inside a solid (section 3.5.7 "Interior").
 struct Interior {
     float ior = 1;
-    float dispersion = 1;
+    float dispersion = 1;  ///< Index of refraction of violet over that of red light.
+    int dispersion_samples = 7;
     float caustics = 0;
     float fade_distance = 0, fade_power = 0;
     Vec3 fade_color{0, 0, 0};
@@ -127,6 +134,8 @@ struct PatternedSurface {
     Affine3d interior_from_world;       ///< Where its media lie.
     bool hollow = false;                ///< Fog and media around it go on inside; media of its own need that, too.
     std::uint32_t interior_number = 0;  ///< Surfaces of one object, and objects that share it, have the same; 0: none.
+    std::uint32_t light_set = 0;        ///< Which lights reach it: Scene::light_sets, from 1; 0: those of group 0.
+    bool double_illuminate = false;     ///< Lit from behind as from the front.
 };
 
 }  // namespace sundog::scene

@@ -117,6 +117,16 @@ struct Light {
     float tightness = 0;  ///< Exponent of the cosine towards the rim.
     float fade_distance = 0, fade_power = 0;
     std::optional<LightArea> area;
+    std::uint32_t group = 0;  ///< Of lights that reach only what some LightSet names them for; 0: of the whole scene.
+    std::uint32_t projection =
+        0;  ///< It shines only through objects with this number of Object::projects; 0: everywhere.
+};
+
+/// Which lights reach a surface (POV-Ray's light_group).
+struct LightSet {
+    bool scene_lights = true;  ///< Those of group 0.
+    std::vector<std::uint32_t> groups;
+    bool operator==(const LightSet&) const = default;
 };
 
 /// Texture pixels, row 0 at the top. 8-bit RGBA; `srgb` says whether RGB is sRGB-encoded (else linear data).
@@ -210,8 +220,8 @@ struct Object {
     bool casts_shadow = true;         ///< no_shadow
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
-    bool double_illuminate = false;   ///< Lit from behind too.
     bool seen_by_radiosity = true;    ///< no_radiosity
+    std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
 };
 
 /// Settings that a scene file may fix and the command line may overrule.
@@ -284,12 +294,14 @@ struct Scene {
     OrbitCamera camera;
     std::optional<ProjectionCamera> projection_camera;  ///< Instead of `camera`.
     std::vector<Light> lights;
+    std::vector<LightSet> light_sets;  ///< PatternedSurface::light_set counts them from 1.
     std::vector<Texture> textures;
     std::vector<Material> materials;  ///< Never empty once imported.
     std::vector<Object> objects;
-    Vec3 ambient{0.1F, 0.1F, 0.1F};  ///< Linear RGB, multiplies Ka.
-    Vec3 sky{0, 0, 0};               ///< Linear RGB radiance of rays that hit nothing.
-    float sky_alpha = 1;             ///< Opacity of the sky in pictures that have alpha.
+    Vec3 ambient{0.1F, 0.1F, 0.1F};             ///< Linear RGB, multiplies Ka.
+    Vec3 irid_wavelength{0.70F, 0.52F, 0.48F};  ///< Of red, green and blue light, as thin films are measured.
+    Vec3 sky{0, 0, 0};                          ///< Linear RGB radiance of rays that hit nothing.
+    float sky_alpha = 1;                        ///< Opacity of the sky in pictures that have alpha.
     std::vector<Fog> fogs;
     std::vector<Rainbow> rainbows;
     std::vector<Medium> atmosphere;  ///< Media that are everywhere.

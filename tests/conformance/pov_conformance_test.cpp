@@ -79,10 +79,6 @@ std::vector<std::string> scene_names() {
 /// leave the list.
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> differences{
-        {"finish_reflection_exponent", "reflection's exponent isn't drawn"},
-        {"light_area_illumination",
-         "half shadows: povray shades by the mean of all lights, and darkens that by the shadow of the area as a "
-         "whole"},
         {"normal_bump_map", "bumps of images differ in strength; the cause was not found"},
         {"texture_average", "a little lighter; the cause was not found"},
     };

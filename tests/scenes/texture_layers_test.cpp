@@ -193,5 +193,74 @@ TEST_F(TextureLayers, SkySpheresAreAskedByDirection) {
     expect_middle({0.25F, 0.125F, 0});
 }
 
+// Each light's matt light is darkened by up to crand, evenly: by half of it in the mean, over many pixels, and by
+// another amount in each. Catches grain that depends on the number of threads, that is the same everywhere, or that all
+// lights share (the spread of two lights' sum is then twice one's).
+TEST_F(TextureLayers, GrainDarkensMattLightAtRandom) {
+    scene::Finish finish = diffuse(0.6F);
+    finish.crand = 0.4F;
+    add_wall(scene_, 4, textured({layer({1, 1, 1, 0, 0}, finish)}));
+    add_light(scene_, scene::Light::Kind::sun, {0, -1, 0});
+    add_light(scene_, scene::Light::Kind::sun, {0, -1, 0});
+    const auto first = make_cpu_device({.threads = 1});
+    const auto second = make_cpu_device({.threads = 3});
+    const Picture a = render_on(*first, scene_, size(64, 64));
+    const Picture b = render_on(*second, scene_, size(64, 64));
+    double sum = 0, squares = 0;
+    for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const float value = a.film.mean(x, y).x;
+            ASSERT_EQ(value, b.film.mean(x, y).x);
+            sum += value, squares += static_cast<double>(value) * value;
+        }
+    }
+    const double mean = sum / 4096;
+    EXPECT_NEAR(mean, 2 * (0.6 - 0.2), 0.01);
+    EXPECT_NEAR(std::sqrt(squares / 4096 - mean * mean), 0.4 * std::sqrt(2.0 / 12), 0.01);
+}
+
+// Jittered lights of an area stand anywhere in their cells: under an edge across the light, neighbours see different
+// shares of it, and the mean is that of the light as a whole. Catches steps, and lights that leave the area's cells.
+TEST_F(TextureLayers, JitteredAreasMakeGrain) {
+    add_wall(scene_, 4, textured({layer({1, 1, 1, 0, 0}, diffuse(1))}));
+    const scene::Index black = add_material(scene_, textured({layer({0, 0, 0, 0, 0}, diffuse(0))}));
+    add_quad(scene_, {0, 3, -99}, {99, 3, -99}, {99, 3, 99}, {0, 3, 99}, black);
+    scene_.objects.back().seen_by_camera = false;
+    add_light(scene_, scene::Light::Kind::sun, {0, -1, 0});
+    scene_.lights[0].area = scene::LightArea{{0.5F, 0, 0}, {0, 0, 0.5F}, 2, 2};
+    scene_.lights[0].area->jitter = true;
+    // Lights at x = -1/4 and 1/4 of the distance 1, moved by up to 1/4: at x = 0 half of their light passes.
+    FrameOptions options = size(64, 64);
+    const Picture picture = render_on(*make_cpu_device({.threads = 2}), scene_, options);
+    int different = 0;
+    double sum = 0;
+    for (int y = 0; y < 64; ++y) {
+        different += picture.film.mean(33, y).x != picture.film.mean(33, y / 2).x;
+        for (const int x : {31, 32}) sum += picture.film.mean(x, y).x;
+    }
+    EXPECT_GT(different, 8);
+    EXPECT_NEAR(sum / 128, 0.5, 0.1);
+}
+
+// The spectrum's colours add up to white, however many there are: what is behind a plane sheet keeps its colour.
+// Catches light that is lost or counted twice where it splits.
+TEST_F(TextureLayers, DispersedColorsAddUpToWhite) {
+    scene::Interior interior;
+    interior.ior = 1.4F;
+    interior.dispersion = 1.3F;
+    for (const int samples : {2, 7, 50}) {
+        interior.dispersion_samples = samples;
+        scene::Scene s = scene_;
+        s.sky = {0.8F, 0.6F, 0.4F};
+        add_shape(s, scene::Box{{-9, 4, -9}, {9, 5, 9}},
+                  add_material(s, textured({layer({1, 1, 1, 0, 1}, glowing())}, interior)));
+        FrameOptions options = size(9, 9);
+        const Vec3 seen = render_on(*make_cpu_device({.threads = 1}), s, options).film.mean(2, 4);
+        EXPECT_NEAR(seen.x, 0.8F, 1e-4F) << samples;
+        EXPECT_NEAR(seen.y, 0.6F, 1e-4F) << samples;
+        EXPECT_NEAR(seen.z, 0.4F, 1e-4F) << samples;
+    }
+}
+
 }  // namespace
 }  // namespace sundog

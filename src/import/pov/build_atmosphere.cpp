@@ -127,7 +127,7 @@ scene::SkySphere sky_sphere_of(BuildContext& context, const Block& block) {
 
 /// Settings of what isn't drawn yet, or makes no difference to how Sundog computes.
 constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves, Keyword::mm_per_unit,
-                                           Keyword::irid_wavelength, Keyword::hf_gray_16};
+                                           Keyword::hf_gray_16};
 
 }  // namespace
 
@@ -185,6 +185,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
         } else if (items.take(Keyword::max_trace_level)) {
             // The eye's ray counts, too.
             scene.settings.max_depth = items.integer("a level", 1, 256) - 1;
+        } else if (items.take(Keyword::irid_wavelength)) {
+            scene.irid_wavelength = rgb_of(items.color("a color"));
         } else if (items.take(Keyword::ambient_light)) {
             scene.ambient = rgb_of(items.color("a color"));
         } else if (items.take(Keyword::noise_generator)) {

@@ -74,7 +74,8 @@ private:
             parts_ = read_camera(objects_, *base, std::move(parts_));
             sized_ = true;  // its window is worked out already
         } else if (const auto normal = items_.take_block(Keyword::normal)) {
-            parts_.camera.normal = read_normal(context_, *normal, parts_.camera.normal);
+            parts_.camera.normal = read_normal(context_, *normal, parts_.camera.normal, nullptr);
+            if (parts_.camera.normal && parts_.camera.normal->is_flat()) parts_.camera.normal = nullptr;
         } else if (const auto mesh = items_.take_block(Keyword::mesh_camera)) {
             parts_.camera.mesh = std::make_shared<const scene::MeshCamera>(read_mesh_camera(objects_, *mesh));
         } else if (const auto bokeh = items_.take_block(Keyword::bokeh)) {

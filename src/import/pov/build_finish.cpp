@@ -37,8 +37,8 @@ public:
                 parts_ = read_finish(context_, *base, parts_);
             } else if (const auto reflection = items_.take_block(Keyword::reflection)) {
                 read_reflection(*reflection);
-            } else if (items_.take_block(Keyword::irid)) {
-                warn_of("irid", "films aren't drawn yet");
+            } else if (const auto film = items_.take_block(Keyword::irid)) {
+                read_film(*film);
             } else if (items_.take_block(Keyword::subsurface)) {
                 warn_of("subsurface", "light below surfaces isn't drawn yet");
             } else if (!read_light() && !read_mirror() && !read_old_interior()) {
@@ -81,7 +81,7 @@ private:
         } else if (items_.take(Keyword::metallic)) {
             f.metallic = static_cast<float>(items_.maybe_number().value_or(1));
         } else if (items_.take(Keyword::crand)) {
-            if (number("an amount of graininess") != 0) warn_of("crand", "grains aren't drawn yet");
+            f.crand = number("an amount of graininess");
         } else {
             return false;
         }
@@ -104,12 +104,27 @@ private:
         } else if (items_.take(Keyword::conserve_energy)) {
             f.conserve_energy = items_.flag();
         } else if (items_.take(Keyword::irid)) {
-            items_.number("an amount");
-            warn_of("irid", "films aren't drawn yet");
+            f.irid = number("an amount");
         } else {
             return false;
         }
         return true;
+    }
+
+    void read_film(const Block& block) {
+        ItemReader items(context_, block);
+        Finish& f = parts_.finish;
+        f.irid = static_cast<float>(items.number("an amount of iridescence"));
+        while (!items.at_end()) {
+            if (items.take(Keyword::thickness)) {
+                f.irid_thickness = static_cast<float>(items.number("a thickness"));
+            } else if (items.take(Keyword::turbulence)) {
+                f.irid_turbulence = static_cast<float>(items.number("an amount of turbulence"));
+            } else {
+                static constexpr std::array kValid{Keyword::thickness, Keyword::turbulence};
+                items.unexpected(kValid);
+            }
+        }
     }
 
     void read_reflection(const Block& block) {
@@ -211,10 +226,8 @@ Interior read_interior(BuildContext& context, const Block& block) {
             interior.caustics = number("an amount of caustics");
         } else if (items.take(Keyword::dispersion)) {
             interior.dispersion = number("a dispersion");
-            if (interior.dispersion != 1)
-                context.warn_once("dispersion", items.taken_where(), "dispersion isn't drawn yet");
         } else if (items.take(Keyword::dispersion_samples)) {
-            number("a number of samples");
+            interior.dispersion_samples = items.integer("a number of samples", 2, 1000);
         } else if (items.take(Keyword::fade_distance)) {
             interior.fade_distance = number("a distance");
         } else if (items.take(Keyword::fade_power)) {

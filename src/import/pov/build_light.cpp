@@ -73,6 +73,7 @@ private:
             light.area->axis2 = to_float(transform_vector(moved, to_double(light.area->axis2)));
         }
         if (looks_like_) place_node(*looks_like_, moved);
+        result_.parent_from_projector = moved * result_.parent_from_projector;
         return true;
     }
 
@@ -89,9 +90,13 @@ private:
             }
             return true;
         }
-        if (items_.take_block(Keyword::projected_through)) {
-            context_.warn_once("projected_through", items_.taken_where(), "projected_through isn't drawn yet",
-                               "the light shines everywhere");
+        if (const auto block = items_.take_block(Keyword::projected_through)) {
+            ItemReader inside(context_, *block);
+            result_.projected_through = read_children(objects_, inside);
+            result_.parent_from_projector = {};
+            // Of its modifiers only where it is counts.
+            while (!inside.at_end())
+                if (!read_transform(inside, result_.parent_from_projector)) inside.skip();
             return true;
         }
         if (items_.take_block(Keyword::photons)) {

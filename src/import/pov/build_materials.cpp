@@ -30,6 +30,8 @@ scene::Index MaterialTable::append(const TexturePointer& texture, const Affine3d
     material.name = "texture";
     material.where = texture->layers.front().pigment->where;
     material.patterned = scene::PatternedSurface{texture, inverse(world_from_texture), {}, {}, inside.hollow, 0};
+    material.patterned->light_set = inside.light_set;
+    material.patterned->double_illuminate = inside.double_illuminate;
     if (const InteriorPointer& interior = inside.interior) {
         material.patterned->interior = *interior;
         // The table holds on to interiors, so that none comes to lie where another one was.
@@ -45,13 +47,17 @@ scene::Index MaterialTable::of(const TexturePointer& texture, const Affine3d& wo
                                const PlacedInterior& inside) {
     const scene::Interior* const interior = inside.interior.get();
     const bool has_media = interior != nullptr && interior->media;
-    if (texture.get() == last_texture_ && interior == last_interior_ && inside.hollow == last_hollow_) return last_;
+    if (texture.get() == last_texture_ && interior == last_interior_ && inside.hollow == last_hollow_ &&
+        inside.double_illuminate == last_double_illuminate_ && inside.light_set == last_light_set_)
+        return last_;
     const bool follows = follows_space(*texture);
     const Affine3d placed = follows ? world_from_texture : Affine3d{};
     std::string key;
     append_bytes(key, texture.get());
     append_bytes(key, interior);
     append_bytes(key, inside.hollow);
+    append_bytes(key, inside.double_illuminate);
+    append_bytes(key, inside.light_set);
     if (has_media) append_bytes(key, inside.world_from_interior);
     if (follows) append_bytes(key, placed);
     // As for textures: what comes again does so soon.
@@ -60,6 +66,7 @@ scene::Index MaterialTable::of(const TexturePointer& texture, const Affine3d& wo
     if (is_new) known->second = append(texture, placed, inside);
     if (!follows && !has_media) {
         last_texture_ = texture.get(), last_interior_ = interior, last_hollow_ = inside.hollow;
+        last_double_illuminate_ = inside.double_illuminate, last_light_set_ = inside.light_set;
         last_ = known->second;
     }
     return known->second;

@@ -11,11 +11,13 @@
 
 namespace sundog::pov {
 
-/// What is inside an object, and where its media lie. Nothing: air.
+/// What is inside an object, where its media lie, and which light it gets. Nothing: air.
 struct PlacedInterior {
     InteriorPointer interior{};
     Affine3d world_from_interior{};
     bool hollow = false;
+    bool double_illuminate = false;
+    std::uint32_t light_set = 0;  ///< As scene::PatternedSurface's.
 };
 
 /// Makes materials of textures. Textures that look the same everywhere share one, wherever they are used.
@@ -35,7 +37,8 @@ private:
     std::unordered_map<InteriorPointer, std::uint32_t> interiors_;  // Their numbers, from 1.
     const scene::LayeredTexture* last_texture_ = nullptr;           // Of the last material that is the same everywhere.
     const scene::Interior* last_interior_ = nullptr;
-    bool last_hollow_ = false;
+    bool last_hollow_ = false, last_double_illuminate_ = false;
+    std::uint32_t last_light_set_ = 0;
     scene::Index last_ = 0;
 };
 

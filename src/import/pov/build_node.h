@@ -33,7 +33,9 @@ struct NodeMesh {
 /// A light among objects, in its own space until it is placed.
 struct NodeLight {
     scene::Light light;
-    NodePointer looks_like;  ///< In the light's space; null: invisible.
+    NodePointer looks_like;                      ///< In the light's space; null: invisible.
+    std::vector<NodePointer> projected_through;  ///< In the space that the light is described in; empty: everywhere.
+    Affine3d parent_from_projector;
 };
 
 /// union, merge and intersection; a difference is an intersection with inverted children.
@@ -70,6 +72,8 @@ struct Node {
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
     bool double_illuminate = false;
     bool cutaway_textures = false;
+    bool declared = false;              ///< A declared object, used by name.
+    std::optional<bool> global_lights;  ///< light_group: whether the scene's own lights reach its objects.
 };
 
 }  // namespace sundog::pov

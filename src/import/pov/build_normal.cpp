@@ -106,16 +106,23 @@ std::shared_ptr<const Pigment> scaled(const std::shared_ptr<const Pigment>& weig
 
 class NormalReader {
 public:
-    NormalReader(BuildContext& context, const Block& block) : context_(context), block_(block) {}
+    NormalReader(BuildContext& context, const Block& block, const NormalPointer& entry_start)
+        : context_(context), block_(block), entry_start_(entry_start) {}
 
     NormalPointer read(const NormalPointer& start) {
+        if (start && start->parts.size() == 1 && !start->parts[0].weight) {
+            // Another pattern takes over what was said of the first: its amount, its place, its waves.
+            parts_.pattern = start->parts[0].pattern;
+            start_amount_ = start->parts[0].amount;
+        }
         read_items(block_);
         Normal result;
         if (image_) {
             result.parts.push_back(image_part());
         } else if (!parts_.given) {
-            if (!start) return nullptr;
-            result = *start;
+            if (!start && !amount_) return nullptr;
+            if (start) result = *start;
+            else result.parts.push_back(part()), result.parts[0].kind = PatternNormal::Kind::pattern;
             for (PatternNormal& part : result.parts) {
                 if (amount_) part.amount = *amount_;
                 part.keeps_depth |= keeps_depth_;
@@ -188,12 +195,16 @@ private:
         parts_.given |= given;
     }
 
+    [[nodiscard]] NormalPointer read_entry(const Block& block) const {
+        return read_normal(context_, block, entry_start_, entry_start_);
+    }
+
     void read_choices(ItemReader& items) {
         const std::size_t count = choice_count(parts_.pattern.kind);
         while (entries_.size() < count) {
             const auto block = items.take_block(Keyword::normal);
             if (!block) break;
-            entries_.push_back({0, read_normal(context_, *block, nullptr)});
+            entries_.push_back({0, read_entry(*block)});
         }
     }
 
@@ -224,7 +235,7 @@ private:
             ItemReader inside(context_, *row, Keyword::normal_map);
             const auto at = inside.maybe_number();
             const Block normal = block_of_row(*row, at ? 1 : 0, Keyword::normal, block_);
-            entries_.push_back({at.value_or(1), read_normal(context_, normal, nullptr)});
+            entries_.push_back({at.value_or(1), read_entry(normal)});
         }
     }
 
@@ -248,7 +259,7 @@ private:
         PatternNormal part;
         part.where = context_.location(block_.where);
         part.pattern = parts_.pattern;
-        part.amount = amount_.value_or(0.5F);
+        part.amount = amount_.value_or(start_amount_);
         part.accuracy = accuracy_;
         part.keeps_depth = keeps_depth_;
         return part;
@@ -282,7 +293,9 @@ private:
     std::optional<scene::ImageMap> image_;
     std::vector<NormalEntry> entries_;
     std::vector<SlopeEntry> slopes_;
+    const NormalPointer& entry_start_;
     std::optional<float> amount_;
+    float start_amount_ = 0.5F;
     double accuracy_ = 0.02;
     bool keeps_depth_ = false, uv_mapping_ = false;
 };
@@ -311,7 +324,8 @@ void bend_normal(Normal& normal, const scene::Warp& warp) {
 }
 
 NormalPointer blend_normals(const scene::Pattern& pattern, std::vector<NormalEntry> entries) {
-    if (std::none_of(entries.begin(), entries.end(), [](const NormalEntry& e) { return e.normal != nullptr; }))
+    if (std::none_of(entries.begin(), entries.end(),
+                     [](const NormalEntry& e) { return e.normal && !e.normal->is_flat(); }))
         return nullptr;
     const bool choice = choice_count(pattern.kind) > 0;
     const bool average = pattern.kind == scene::Pattern::Kind::average;
@@ -322,7 +336,7 @@ NormalPointer blend_normals(const scene::Pattern& pattern, std::vector<NormalEnt
     Normal result;
     for (std::size_t i = 0; i < entries.size(); ++i) {
         Normal own;
-        if (entries[i].normal) own = *entries[i].normal;
+        if (entries[i].normal && !entries[i].normal->is_flat()) own = *entries[i].normal;
         else own.parts.emplace_back().amount = 0;
         result.uv_mapping |= own.uv_mapping;
         for (PatternNormal& part : own.parts) {
@@ -343,8 +357,9 @@ NormalPointer blend_normals(const scene::Pattern& pattern, std::vector<NormalEnt
     return std::make_shared<const Normal>(std::move(result));
 }
 
-NormalPointer read_normal(BuildContext& context, const Block& block, const NormalPointer& start) {
-    return NormalReader(context, block).read(start);
+NormalPointer read_normal(BuildContext& context, const Block& block, const NormalPointer& start,
+                          const NormalPointer& entry_start) {
+    return NormalReader(context, block, entry_start).read(start);
 }
 
 }  // namespace sundog::pov

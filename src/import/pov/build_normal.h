@@ -27,7 +27,9 @@ void bend_normal(scene::Normal& normal, const scene::Warp& warp);
 /// The normals of a map, each weighted by its share of `pattern`. Null if none of them bends anything.
 NormalPointer blend_normals(const scene::Pattern& pattern, std::vector<NormalEntry> entries);
 
-/// The normal of a `normal { }`, changed from `start` (null: none) as its items say.
-NormalPointer read_normal(BuildContext& context, const Block& block, const NormalPointer& start);
+/// The normal of a `normal { }`, changed from `start` (null: none) as its items say. The normals of its maps start from
+/// `entry_start`, the normal of #default.
+NormalPointer read_normal(BuildContext& context, const Block& block, const NormalPointer& start,
+                          const NormalPointer& entry_start);
 
 }  // namespace sundog::pov

@@ -210,6 +210,10 @@ private:
             return items_.flag();
         };
         switch (*keyword) {
+            case Keyword::global_lights:
+                if (block_.keyword != Keyword::light_group) return false;
+                node_.global_lights = take_flag();
+                return true;
             case Keyword::no_shadow:
                 node_.no_shadow = take_flag();
                 return true;
@@ -283,7 +287,8 @@ NodePointer ObjectReader::read(const std::shared_ptr<const Block>& block) {
     if (block.use_count() <= 2) return std::make_shared<const Node>(read(*block));
     const auto known = read_before_.find(block);
     if (known != read_before_.end()) return known->second;
-    auto node = std::make_shared<const Node>(read(*block));
+    auto node = std::make_shared<Node>(read(*block));
+    node->declared = true;
     read_before_.emplace(block, node);
     return node;
 }

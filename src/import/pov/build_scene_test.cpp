@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "import/pov/build_test_scene.h"
@@ -109,6 +110,56 @@ TEST(BuildLight, AreaAndSpotMoveWithTheLight) {
     EXPECT_EQ(light.area->adaptive, 1);
     EXPECT_TRUE(light.area->jitter);
     EXPECT_FLOAT_EQ(light.falloff, 20);
+}
+
+/// Which of the scene's lights reach an object.
+std::vector<bool> lights_of(const scene::Scene& scene, std::size_t object) {
+    const std::uint32_t number = scene.materials.at(scene.objects.at(object).material).patterned->light_set;
+    const scene::LightSet set = number == 0 ? scene::LightSet{} : scene.light_sets.at(number - 1);
+    std::vector<bool> reached;
+    for (const scene::Light& light : scene.lights) {
+        const bool named = std::find(set.groups.begin(), set.groups.end(), light.group) != set.groups.end();
+        reached.push_back(light.group == 0 ? set.scene_lights : named);
+    }
+    return reached;
+}
+
+// Lights that shine out of their group, or objects that keep the scene's lights though their group says otherwise.
+TEST(BuildLight, GroupsKeepTheirLightsToThemselves) {
+    const BuiltScene built = build(
+        "light_source { y, rgb 1 } sphere { 0, 1 }"
+        "light_group { light_source { x, rgb 1 } sphere { 0, 1 } }"
+        "light_group { sphere { 0, 1 } light_source { z, rgb 1 } global_lights on }");
+    EXPECT_EQ(lights_of(built.scene, 0), (std::vector<bool>{true, false, false}));
+    EXPECT_EQ(lights_of(built.scene, 1), (std::vector<bool>{false, true, false}));
+    EXPECT_EQ(lights_of(built.scene, 2), (std::vector<bool>{true, false, true}));
+}
+
+// Nested groups as povray has them: a declared one gets the outer one's lights, one that is written out doesn't; and
+// copies of one declared group that share their lights.
+TEST(BuildLight, DeclaredGroupsInheritLights) {
+    const BuiltScene built = build(
+        "#declare Inner = light_group { light_source { x, rgb 1 } sphere { 0, 1 } }"
+        "light_group { light_group { Inner } light_group { Inner } light_source { y, rgb 1 } global_lights on }"
+        "light_group { light_group { light_source { x, rgb 1 } sphere { 0, 1 } global_lights on } light_source { z, "
+        "rgb "
+        "1 } }");
+    ASSERT_EQ(built.scene.lights.size(), 5U);
+    EXPECT_EQ(lights_of(built.scene, 0), (std::vector<bool>{true, false, true, false, false}));
+    EXPECT_EQ(lights_of(built.scene, 1), (std::vector<bool>{false, true, true, false, false}));
+    EXPECT_EQ(lights_of(built.scene, 2), (std::vector<bool>{false, false, false, true, false}));
+}
+
+// What a light is projected through, drawn like any other object, or left where it was when the light moved.
+TEST(BuildLight, ProjectorsAreSeenByTheirLightAlone) {
+    const BuiltScene built = build(
+        "#declare Window = sphere { 0, 1 }"
+        "light_source { y, rgb 1 projected_through { Window translate x } translate 2*y } light_source { y, rgb 1 }");
+    ASSERT_EQ(built.scene.objects.size(), 1U);
+    EXPECT_EQ(built.scene.objects[0].projects, 1U);
+    EXPECT_EQ(built.scene.lights[0].projection, 1U);
+    EXPECT_EQ(built.scene.lights[1].projection, 0U);
+    expect_near(std::get<scene::Sphere>(built.scene.objects[0].shape).center, {1, 2, 0});
 }
 
 // looks_like that stays at the origin, or that shadows its own light.

@@ -171,8 +171,6 @@ NodeShape read_shape(ObjectReader& objects, ItemReader& items, const Block& bloc
         case Keyword::light_source:
             return read_light_source(objects, items);
         case Keyword::light_group:
-            objects.context().warn_once("light_group", block.where, "the lights of a light_group shine on everything",
-                                        "what a light_group keeps to itself isn't drawn yet");
             return read_group(objects, items, Keyword::union_);
         case Keyword::union_:
         case Keyword::merge:
@@ -204,10 +202,6 @@ bool read_shape_item(ItemReader& items, const Block& block, NodeShape& shape) {
     if (items.take(Keyword::tolerance)) {
         const double tolerance = items.number("a tolerance");
         if (auto* sweep = std::get_if<scene::SphereSweep>(&shape)) sweep->tolerance = tolerance;
-        return true;
-    }
-    if (block.keyword == Keyword::light_group && items.take(Keyword::global_lights)) {
-        items.flag();
         return true;
     }
     if (auto* field = std::get_if<scene::HeightField>(&shape)) {

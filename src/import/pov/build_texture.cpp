@@ -38,7 +38,8 @@ std::string key_of(const LayeredTexture& texture) {
     const scene::Finish& f = texture.layers[0].finish;
     append_bytes(key, c.r, c.g, c.b, c.filter, c.transmit, f.ambient, f.emission, f.diffuse, f.diffuse_back,
                  f.brilliance, f.phong, f.phong_size, f.specular, f.roughness, f.metallic, f.reflection_min,
-                 f.reflection_max, f.reflection_falloff, f.reflection_exponent, f.reflection_metallic);
+                 f.reflection_max, f.reflection_falloff, f.reflection_exponent, f.reflection_metallic, f.crand, f.irid,
+                 f.irid_thickness, f.irid_turbulence);
     key.push_back(f.reflection_fresnel ? '1' : '0');
     key.push_back(f.conserve_energy ? '1' : '0');
     return key;
@@ -143,7 +144,7 @@ private:
             take_finish(*finish);
         } else if (const auto normal = items_.take_block(Keyword::normal)) {
             TextureLayer& layer = top();
-            layer.normal = read_normal(context_, *normal, layer.normal);
+            layer.normal = read_normal(context_, *normal, layer.normal, owner_.defaults_of(block_).layer.normal);
         } else if (const auto map = items_.take_block(Keyword::texture_map)) {
             read_map(*map);
         } else if (const auto materials = items_.take_block(Keyword::material_map)) {
@@ -299,7 +300,7 @@ DefaultTexture TextureReader::read_defaults(const Block& block) {
         } else if (const auto finish = items.take_block(Keyword::finish)) {
             result.layer.finish = read_finish(context_, *finish, {result.layer.finish, {}, false}).finish;
         } else if (const auto normal = items.take_block(Keyword::normal)) {
-            result.layer.normal = read_normal(context_, *normal, result.layer.normal);
+            result.layer.normal = read_normal(context_, *normal, result.layer.normal, nullptr);
         } else if (const auto radiosity = items.take_block(Keyword::radiosity)) {
             read_importance(context_, *radiosity);
         } else if (!items.take_block(Keyword::camera)) {
@@ -333,7 +334,7 @@ TexturePointer TextureReader::changed(TexturePointer texture, const Block& block
         return shared(std::move(result));
     }
     if (block.keyword == Keyword::normal) {
-        layer.normal = read_normal(context_, block, layer.normal);
+        layer.normal = read_normal(context_, block, layer.normal, defaults_of(owner).layer.normal);
         return shared(std::move(result));
     }
     const FinishParts parts = read_finish(context_, block, {layer.finish, {}, false});

@@ -22,7 +22,8 @@ bool same(const Finish& a, const Finish& b) {
            a.metallic == b.metallic && a.reflection_min == b.reflection_min && a.reflection_max == b.reflection_max &&
            a.reflection_falloff == b.reflection_falloff && a.reflection_exponent == b.reflection_exponent &&
            a.reflection_metallic == b.reflection_metallic && a.reflection_fresnel == b.reflection_fresnel &&
-           a.conserve_energy == b.conserve_energy;
+           a.conserve_energy == b.conserve_energy && a.crand == b.crand && a.irid == b.irid &&
+           a.irid_thickness == b.irid_thickness && a.irid_turbulence == b.irid_turbulence;
 }
 
 Finish mean(const std::vector<Finish>& finishes) {
@@ -37,7 +38,8 @@ Finish mean(const std::vector<Finish>& finishes) {
         average(member);
     for (const auto member : {&Finish::diffuse, &Finish::diffuse_back, &Finish::brilliance, &Finish::phong,
                               &Finish::phong_size, &Finish::specular, &Finish::roughness, &Finish::metallic,
-                              &Finish::reflection_falloff, &Finish::reflection_exponent, &Finish::reflection_metallic})
+                              &Finish::reflection_falloff, &Finish::reflection_exponent, &Finish::reflection_metallic,
+                              &Finish::crand, &Finish::irid, &Finish::irid_thickness, &Finish::irid_turbulence})
         average(member);
     return result;
 }

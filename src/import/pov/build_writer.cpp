@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "import/pov/build_writer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <type_traits>
 
 namespace sundog::pov {
@@ -86,9 +88,43 @@ SceneWriter::Surroundings SceneWriter::within(const Surroundings& around, const 
     inside.no_image |= node.no_image;
     inside.no_reflection |= node.no_reflection;
     inside.no_radiosity |= node.no_radiosity;
-    inside.double_illuminate |= node.double_illuminate;
+    inside.interior.double_illuminate |= node.double_illuminate;
     inside.world_from_parent = around.world_from_parent * node.parent_from_shape;
+    if (const auto* group = std::get_if<NodeGroup>(&node.shape)) {
+        inside.light_group = 0;  // A union's lights shine for all.
+        if (node.keyword == Keyword::light_group) enter_light_group(node, *group, inside);
+    }
     return inside;
+}
+
+void SceneWriter::enter_light_group(const Node& node, const NodeGroup& group, Surroundings& inside) {
+    const auto is_light = [](const NodePointer& child) {
+        return std::holds_alternative<std::shared_ptr<const NodeLight>>(child->shape);
+    };
+    // light_group { A_DECLARED_ONE } is that group, changed.
+    const bool is_changed_group = group.children.size() == 1 && group.children[0]->keyword == Keyword::light_group;
+    // As povray's pictures show it: the outermost group says whether the scene's lights reach what is in it; lights of
+    // outer groups reach objects of declared groups in them, but not of groups that are written out there.
+    if (!inside.in_light_group && !(is_changed_group && !node.global_lights)) {
+        inside.in_light_group = true;
+        inside.lights.scene_lights = node.global_lights.value_or(false);
+    } else if (!is_changed_group && !node.declared) {
+        inside.lights.groups.clear();
+    }
+    if (std::any_of(group.children.begin(), group.children.end(), is_light)) {
+        inside.light_group = ++light_groups_;
+        inside.lights.groups.push_back(inside.light_group);
+    }
+    inside.interior.light_set = number_of(inside.lights);
+}
+
+std::uint32_t SceneWriter::number_of(const scene::LightSet& lights) {
+    std::vector<std::uint32_t> key = lights.groups;
+    key.push_back(lights.scene_lights ? 1 : 0);
+    std::vector<scene::LightSet>& sets = context_.scene.light_sets;
+    const auto [known, is_new] = light_sets_.try_emplace(std::move(key), static_cast<std::uint32_t>(sets.size() + 1));
+    if (is_new) sets.push_back(lights);
+    return known->second;
 }
 
 Index SceneWriter::material_of(const Surroundings& inside) {
@@ -117,7 +153,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     object.seen_by_camera = !inside.no_image;
     object.seen_in_reflections = !inside.no_reflection;
     object.seen_by_radiosity = !inside.no_radiosity;
-    object.double_illuminate = inside.double_illuminate;
+    object.projects = inside.projects;
     const auto* mesh = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape);
     if (mesh && plain && !inside.interior_texture) {
         object.shape = mesh_of(**mesh, inside, object.material);
@@ -153,8 +189,26 @@ void SceneWriter::add_light(const NodeLight& node, const Surroundings& inside) {
         light.area->axis2 = to_float(transform_vector(world, to_double(light.area->axis2)));
     }
     if (light.kind == scene::Light::Kind::sun) light.place = normalize(light.place - light.point_at);
+    light.group = inside.light_group;
+    if (!node.projected_through.empty()) project(node, inside, light);
     context_.scene.lights.push_back(light);
     if (node.looks_like) add(*node.looks_like, inside);
+}
+
+void SceneWriter::project(const NodeLight& node, const Surroundings& inside, scene::Light& light) {
+    constexpr std::uint32_t kMost = 24;
+    if (projectors_ == kMost) {
+        context_.warn_once("projected_through", node.projected_through.front()->where,
+                           "more lights are projected through objects than can be drawn",
+                           "those after " + std::to_string(kMost) + " shine everywhere");
+        return;
+    }
+    light.projection = ++projectors_;
+    Surroundings unseen{.fallback = inside.fallback};
+    unseen.world_from_parent = inside.world_from_parent * node.parent_from_projector;
+    unseen.interior.hollow = true;
+    unseen.projects = projectors_;
+    for (const NodePointer& projector : node.projected_through) add(*projector, unseen);
 }
 
 scene::Mesh SceneWriter::mesh_of(const NodeMesh& mesh, const Surroundings& inside, Index material) {

@@ -2,7 +2,9 @@
 // From objects as read to the scene's objects, lights and materials.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <vector>
 
 #include "import/pov/build_context.h"
 #include "import/pov/build_materials.h"
@@ -31,15 +33,25 @@ private:
         Affine3d world_from_texture{}, world_from_interior_texture{};
         PlacedInterior interior{};
         bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
-        bool double_illuminate = false;
+        // Light groups: those whose lights reach objects here, whether the scene's own do, and the group of lights
+        // here.
+        bool in_light_group = false;
+        scene::LightSet lights{};
+        std::uint32_t light_group = 0;
+        std::uint32_t projects = 0;  // As scene::Object's.
     };
-    [[nodiscard]] static Surroundings within(const Surroundings& around, const Node& node);
+    [[nodiscard]] Surroundings within(const Surroundings& around, const Node& node);
+    void enter_light_group(const Node& node, const NodeGroup& group, Surroundings& inside);
+    /// The number of a light set of the scene's, which gets it if it is new.
+    std::uint32_t number_of(const scene::LightSet& lights);
 
     /// For cutaway_textures: parts without a texture get that of the first part which has one.
-    [[nodiscard]] static Surroundings cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside);
+    [[nodiscard]] Surroundings cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside);
 
     void add(const Node& node, const Surroundings& around);
     void add_light(const NodeLight& light, const Surroundings& inside);
+    /// Puts what a light is projected through into the scene, for it alone.
+    void project(const NodeLight& node, const Surroundings& inside, scene::Light& light);
     std::shared_ptr<const scene::Solid> solid_of(const Node& node, const Surroundings& around);
     scene::Index material_of(const Surroundings& inside);
     scene::Mesh mesh_of(const NodeMesh& mesh, const Surroundings& inside, scene::Index material);
@@ -47,6 +59,8 @@ private:
 
     BuildContext& context_;
     MaterialTable materials_;
+    std::uint32_t light_groups_ = 0, projectors_ = 0;  // So far.
+    std::map<std::vector<std::uint32_t>, std::uint32_t> light_sets_;
 };
 
 }  // namespace sundog::pov

@@ -36,6 +36,10 @@ struct PathState {
     mask alive;
     Insides insides;     ///< What it is inside of, as far as that is known.
     MediaInsides media;  ///< If FEATURE_HOLLOW: of what its origin is inside, whose media it passes.
+#ifdef __cplusplus
+    real spectrum;  ///< If FEATURE_DISPERSION: its place there, 0 (violet) to 1 (red); negative: all colours.
+    uint nesting;   ///< How many path_radiance() are under way around this one.
+#endif
 };
 
 /// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
@@ -46,6 +50,43 @@ struct FirstHit {
     word geometry, primitive, material;
 };
 
+/// Lanes of `alive` whose surface a light in direction `to_light` lights: their front, or, in the lanes of `behind`,
+/// their back, where the material lets that be seen. Not where it is behind the face, or behind the smoothed one.
+FN mask lit_lanes(SCENE Surface s, mask patterned, real3 to_light, mask alive, OUT(mask) behind) {
+    mask faces = dot(s.normal, to_light) > real(0.0f);
+    // Layers have normals of their own, which may turn to a light that the surface's turns from.
+    if (FEATURE(FEATURE_NORMALS)) faces = mask_or(faces, patterned);
+    real facing = dot(s.geometric_normal, to_light);
+    mask lit = mask_and(alive, mask_and(faces, facing > real(0.0f)));
+    behind = mask_and(alive, mask_not(alive));
+    if (FEATURE(FEATURE_BACKLIT)) {
+        mask backlit = (FIELD(materials, s.material, flags) & word(MATERIAL_BACKLIT)) != word(0u);
+        behind = mask_and(mask_and(alive, backlit), facing < real(0.0f));
+        lit = mask_or(lit, behind);
+    }
+    return lit;
+}
+
+/// Adds what light of number `light_number` does that arrives from one direction in the lanes of `lit`.
+FN void add_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 light_color, uint light_flags,
+                  uint light_number, mask lit, mask behind, real3 to_light, real3 to_eye, INOUT(real3) base,
+                  INOUT(real3) highlight) {
+    light_color = select(lit, light_color, real3(real(0.0f)));
+    if (FEATURE(FEATURE_PATTERNED)) {
+        light_layers(SCENE_ s, layered, lit, behind, lobes.patterned, light_color, light_flags, light_number, to_light,
+                     to_eye, base, highlight);
+    }
+    base = base + lobes.diffuse * light_color * dot(s.normal, to_light);
+    real specular_most = max(lobes.specular.x, max(lobes.specular.y, lobes.specular.z));
+    if (any_lane(mask_and(lit, specular_most > real(0.0f)))) {
+        real blinn = blinn_phong_highlight(s.normal, to_light, to_eye, lobes.shininess);
+        if (any_lane(lobes.phong)) {
+            blinn = select(lobes.phong, phong_highlight(s.normal, to_light, to_eye, lobes.shininess), blinn);
+        }
+        highlight = highlight + lobes.specular * light_color * blinn;
+    }
+}
+
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
 FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, MediaInsides media, mask alive,
                      INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
@@ -55,44 +96,75 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
         Light light = AT(lights, i);
         real distance;
         real3 to_light = direction_to_light(light, s.position, distance);
-        real cosine = dot(s.normal, to_light);
-        // No shadow ray where the light is behind the surface: behind the face, or behind the smoothed one.
-        mask faces = cosine > real(0.0f);
-        // Layers have normals of their own, which may turn to a light that the surface's turns from.
-        if (FEATURE(FEATURE_NORMALS)) faces = mask_or(faces, lobes.patterned);
-        mask lit = mask_and(alive, mask_and(faces, dot(s.geometric_normal, to_light) > real(0.0f)));
-        if (any_lane(lit)) {
-            real3 light_color = real3(light.color);
-            if (FEATURE(FEATURE_LIGHT_SHAPES)) {
-                light_color = light_color * light_share(light, s.position, to_light, distance);
-                lit = mask_and(lit, max(light_color.x, max(light_color.y, light_color.z)) > real(0.0f));
+        // An area that illuminates lights from each of its lights, dimmed by the shadow of the area as a whole.
+        bool in_parts = FEATURE(FEATURE_LIGHT_SHAPES) && (light.flags & LIGHT_ILLUMINATES) != 0u;
+        mask behind;
+        mask lit = lit_lanes(SCENE_ s, lobes.patterned, to_light, alive, behind);
+        if (in_parts) lit = alive;
+        if (FEATURE(FEATURE_LIGHT_GROUPS))
+            lit = mask_and(lit, light_reaches(SCENE_ light.group, s.material, lobes.patterned));
+        // No shadow ray where nothing is lit.
+        if (!any_lane(lit)) continue;
+        real3 light_color = real3(light.color);
+        if (FEATURE(FEATURE_LIGHT_SHAPES)) {
+            if (!in_parts) light_color = light_color * light_share(light, s.position, to_light, distance);
+            // Lights may be negative.
+            real3 amount = abs(light_color);
+            lit = mask_and(lit, max(amount.x, max(amount.y, amount.z)) > real(0.0f));
+        }
+        if (FEATURE(FEATURE_SHADOWS)) {
+            if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
+                real3 off = s.geometric_normal * s.error;
+                if (FEATURE(FEATURE_BACKLIT)) off = select(behind, -off, off);
+                light_color = light_color *
+                              light_visibility(SCENE_ light, s.position + off, to_light, distance, media, lit, counts);
             }
-            if (FEATURE(FEATURE_SHADOWS)) {
-                if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
-                    real3 origin = s.position + s.geometric_normal * s.error;
-                    light_color =
-                        light_color * light_visibility(SCENE_ light, origin, to_light, distance, media, lit, counts);
-                }
+        }
+        uint parts = in_parts ? light.area_count_u * light.area_count_v : 1u;
+        mask reached = lit;
+        real3 color = light_color;
+        real3 from = to_light;
+        for (uint part = 0u; part < parts; part = part + 1u) {
+            if (in_parts) {
+                uint column = part % light.area_count_u;
+                uint row = part / light.area_count_u;
+                real3 place = area_light_place(light, real(place_in_row(column, light.area_count_u)),
+                                               real(place_in_row(row, light.area_count_v)), to_light);
+                if (light.kind != LIGHT_SUN) place = place - s.position;
+                real reach = max(length(place), real(1e-30f));
+                from = place * (1.0f / reach);
+                lit = lit_lanes(SCENE_ s, lobes.patterned, from, reached, behind);
+                color = light_color * (light_share(light, s.position, from, reach) * (1.0f / float(parts)));
             }
-            light_color = select(lit, light_color, real3(real(0.0f)));
-            if (FEATURE(FEATURE_PATTERNED)) {
-                light_layers(SCENE_ s, layered, lit, lobes.patterned, light_color, light.flags, to_light, to_eye, base,
-                             highlight);
-            }
-            base = base + lobes.diffuse * light_color * cosine;
-            real specular_most = max(lobes.specular.x, max(lobes.specular.y, lobes.specular.z));
-            if (any_lane(mask_and(lit, specular_most > real(0.0f)))) {
-                real blinn = blinn_phong_highlight(s.normal, to_light, to_eye, lobes.shininess);
-                if (any_lane(lobes.phong)) {
-                    blinn = select(lobes.phong, phong_highlight(s.normal, to_light, to_eye, lobes.shininess), blinn);
-                }
-                highlight = highlight + lobes.specular * light_color * blinn;
-            }
+            add_light(SCENE_ s, lobes, layered, color, light.flags, i, lit, behind, from, to_eye, base, highlight);
         }
     }
 }
 
-/// Linear radiance that comes back along `ray` in the lanes of `alive` (0 in others).
+/// The ray off a mirror at a surface.
+FN Ray mirrored_ray(Surface s, real3 incoming) {
+    Ray ray;
+    ray.direction = mirror_direction(incoming, s.normal);
+    // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
+    real into = dot(ray.direction, s.geometric_normal);
+    real3 lifted = ray.direction - s.geometric_normal * (2.0f * into);
+    ray.direction = select(into < real(0.0f), lifted, ray.direction);
+    ray.origin = s.position + s.geometric_normal * s.error;
+    ray.t_min = real(0.0f);
+    ray.t_max = real(3.0e38f);
+    return ray;
+}
+
+#ifdef __cplusplus
+/// path_radiance() from within itself.
+inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts);
+
+KERNEL_END
+#include "kernel/integrators/nested.h"
+KERNEL_BEGIN
+#endif
+
+/// What comes back along the ray of `path`, times its weight, as the scene's numbers have it: before working_gamma.
 ///
 /// On a chain of mirrors with reflectances r_j and own colours c_j the sum is c_0 R_0 + r_0 c_1 R_1 + r_0 r_1 c_2 R_2 +
 /// … with R_j = 1 - r_j, but R = 1 for the last: a surface whose secondary ray isn't followed (FrameParams::max_depth
@@ -100,23 +172,11 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
 /// waits on a stack of MAX_BRANCHES entries; when that is full, only the stronger of the two is followed. Highlights
 /// sit on the surface: transparency doesn't thin them. Textures of layers add what they reflect and let through to
 /// their own light, which counts whole at any depth, as POV-Ray has it.
-FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(FirstHit) first) {
     real3 black = real3(real(0.0f));
     real3 radiance = black;
     PathState waiting[MAX_BRANCHES];
     uint waiting_count = 0u;
-    PathState path;
-    path.ray = ray;
-    path.weight = real3(real(1.0f));
-    path.depth = word(0u);
-#ifdef __cplusplus
-    path.kind = word(scene.first_ray_kind);
-#else
-    path.kind = word(RAY_CAMERA);
-#endif
-    path.media = eye_insides(SCENE_ alive);
-    path.alive = alive;
-    path.insides = insides_of_eye(SCENE_ alive);
     first.t = real(3.0e38f);
     first.normal = black;
     first.albedo = black;
@@ -174,7 +234,12 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                     real3 dimmed = inside_transmittance(SCENE_ path.insides, hit.t);
                     path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
                 }
-                lobes.eta = select(lobes.patterned, crossing_eta(SCENE_ crossing, interior, path.insides), lobes.eta);
+                real spectrum = real(0.5f);
+#ifdef __cplusplus
+                if (FEATURE(FEATURE_DISPERSION)) spectrum = select(path.spectrum < real(0.0f), spectrum, path.spectrum);
+#endif
+                real eta = crossing_eta(SCENE_ crossing, interior, path.insides, spectrum);
+                lobes.eta = select(lobes.patterned, eta, lobes.eta);
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
@@ -208,6 +273,23 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                     mask_and(mask_and(deeper, reflected_most > real(0.0f)), reflected_most >= real(FRAME.min_weight));
                 mask transmits = mask_and(mask_and(deeper_on, transmitted_most > real(0.0f)),
                                           transmitted_most >= real(FRAME.min_weight));
+#ifdef __cplusplus
+                if (FEATURE(FEATURE_EXPONENTS)) {
+                    mask bent = mask_and(reflects, abs(lobes.exponent - 1.0f) > real(0.0f));
+                    if (any_lane(bent) && path.nesting < MAX_NESTING) {
+                        radiance = radiance + exponent_radiance(SCENE_ path, s, lobes, bent, counts);
+                        reflects = mask_and(reflects, mask_not(bent));
+                    }
+                }
+                if (FEATURE(FEATURE_DISPERSION)) {
+                    mask split = mask_and(transmits, path.spectrum < real(0.0f));
+                    split = disperses(SCENE_ s, lobes, split);
+                    if (any_lane(split) && path.nesting < MAX_NESTING) {
+                        radiance = radiance + dispersed_radiance(SCENE_ path, s, lobes, crossing, split, counts);
+                        transmits = mask_and(transmits, mask_not(split));
+                    }
+                }
+#endif
                 mask both = mask_and(reflects, transmits);
                 if (waiting_count == MAX_BRANCHES) {
                     mask drop_reflected = mask_and(both, reflected_most < transmitted_most);
@@ -230,16 +312,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                     Insides behind_insides = path.insides;
                     if (FEATURE(FEATURE_PATTERNED)) behind_insides = crossing.behind;
                     real3 incoming = path.ray.direction;
-                    real3 reflected_direction = mirror_direction(incoming, s.normal);
-                    // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
-                    real into = dot(reflected_direction, s.geometric_normal);
-                    real3 lifted = reflected_direction - s.geometric_normal * (2.0f * into);
-                    reflected_direction = select(into < real(0.0f), lifted, reflected_direction);
-                    Ray next;
-                    next.t_min = real(0.0f);
-                    next.t_max = real(3.0e38f);
-                    next.origin = s.position + s.geometric_normal * s.error;
-                    next.direction = reflected_direction;
+                    Ray next = mirrored_ray(s, incoming);
                     if (FEATURE(FEATURE_TRANSPARENT)) {
                         if (any_lane(transmits)) {
                             real3 refracted_direction;
@@ -263,6 +336,10 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
                                 branch.kind = path.kind;
                                 branch.media = beyond;
                                 branch.alive = both;
+#ifdef __cplusplus
+                                branch.spectrum = path.spectrum;
+                                branch.nesting = path.nesting;
+#endif
                                 waiting[waiting_count] = branch;
                                 waiting_count = waiting_count + 1u;
                             }
@@ -291,6 +368,34 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
             path = waiting[waiting_count];
         }
     }
+    return radiance;
+}
+
+#ifdef __cplusplus
+inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts) {
+    path.nesting = path.nesting + 1u;
+    FirstHit unused;
+    return path_radiance(SCENE_ path, counts, unused);
+}
+#endif
+
+/// Linear radiance that comes back along `ray` in the lanes of `alive` (0 in others).
+FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+    PathState path;
+    path.ray = ray;
+    path.weight = real3(real(1.0f));
+    path.depth = word(0u);
+    path.kind = word(RAY_CAMERA);
+    path.media = eye_insides(SCENE_ alive);
+    path.alive = alive;
+    path.insides = insides_of_eye(SCENE_ alive);
+#ifdef __cplusplus
+    path.kind = word(scene.first_ray_kind);
+    path.spectrum = real(-1.0f);
+    path.nesting = 0u;
+#endif
+    real3 radiance = path_radiance(SCENE_ path, counts, first);
+    real3 black = real3(real(0.0f));
     if (FRAME.working_gamma != 1.0f) {
         radiance = max(radiance, black);
         if (FRAME.working_gamma > 0.0f) {

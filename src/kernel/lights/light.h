@@ -4,6 +4,7 @@
 #define SUNDOG_KERNEL_LIGHTS_LIGHT_H
 
 #include "kernel/math.h"
+#include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
 
 KERNEL_BEGIN
@@ -78,16 +79,25 @@ FN float area_share(uint index, uint count) {
     return upper > lower ? share * 0.5f : share;
 }
 
+/// From one light of a row of `count` to the next; 0 for a single one.
+FN float row_step(uint count) { return count > 1u ? 1.0f / float(count - 1u) : 0.0f; }
+
 /// Where light number `index` of a row of `count` stands: -1/2 to 1/2; 0 for a single one.
 FN float place_in_row(uint index, uint count) { return count > 1u ? float(index) / float(count - 1u) - 0.5f : 0.0f; }
 
+/// A random number in [0, 1) that belongs to a point and a number.
+FN real random_at(real3 p, uint number) {
+    word bits = hash_word(hash_word(hash_word(as_word(p.x) + word(number)) + as_word(p.y)) + as_word(p.z));
+    return real_from_word(bits >> 8u) * 5.96046448e-8f;
+}
+
 /// Where an area light's point (s, t) in [-1/2, 1/2]^2 stands, seen from a point.
-FN real3 area_light_place(Light light, float s, float t, real3 to_light) {
+FN real3 area_light_place(Light light, real s, real t, real3 to_light) {
     if ((light.flags & LIGHT_CIRCULAR) != 0u) {
         // Squares around the middle become circles: as far out along their rays as the square's side was.
-        float reach = sqrt(s * s + t * t);
-        float square = max(abs(s), abs(t));
-        float bend = reach > 0.0f ? square / reach : 1.0f;
+        real reach = sqrt(s * s + t * t);
+        real square = max(abs(s), abs(t));
+        real bend = select(reach > real(0.0f), square / max(reach, real(1e-30f)), real(1.0f));
         s = s * bend;
         t = t * bend;
     }

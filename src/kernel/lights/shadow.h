@@ -85,6 +85,19 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
     return select(alive, real3(real(0.0f)), transmittance);
 }
 
+/// The same for a ray to one of a light's points: where the light is projected through an object, it comes from where
+/// the ray first meets that, and from nowhere else.
+FN real3 ray_transmittance(SCENE Light light, Ray shadow, MediaInsides insides, mask open, INOUT(RayCounts) counts) {
+    if (light.projection == 0u) return shadow_transmittance(SCENE_ shadow, insides, light.flags, open, counts);
+    counts.rays = counts.rays + select(open, word(1u), word(0u));
+    Hit window = trace_closest(SCENE_ shadow, open, word(light.projection), false);
+    mask through = mask_and(open, window.geometry != word(NONE));
+    real3 black = real3(real(0.0f));
+    if (!any_lane(through)) return black;
+    shadow.t_max = min(shadow.t_max, window.t);
+    return select(through, shadow_transmittance(SCENE_ shadow, insides, light.flags, through, counts), black);
+}
+
 /// Share of a light that reaches the lanes of `lit`, whose shadow ray starts at `origin`: of one point, or the mean
 /// over an area's (see area_share). An area with probes asks those first, spread over it from corner to corner; lanes
 /// in which all of them give the same are done. `insides` is what `origin` is inside of.
@@ -117,8 +130,14 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
         real3 most = real3(real(-1.0e30f));
         for (uint i = 0u; i < steps_u * steps_v; i = i + 1u) {
             if (is_area) {
-                real3 place = area_light_place(light, place_in_row(i % steps_u, steps_u),
-                                               place_in_row(i / steps_u, steps_v), to_light);
+                real s = real(place_in_row(i % steps_u, steps_u));
+                real t = real(place_in_row(i / steps_u, steps_v));
+                if ((light.flags & LIGHT_JITTER) != 0u) {
+                    // At most half the way to its neighbours.
+                    s = s + (random_at(origin, 2u * i) - 0.5f) * row_step(light.area_count_u);
+                    t = t + (random_at(origin, 2u * i + 1u) - 0.5f) * row_step(light.area_count_v);
+                }
+                real3 place = area_light_place(light, s, t, to_light);
                 if (light.kind == LIGHT_SUN) {
                     shadow.direction = normalize(place);
                 } else {
@@ -128,7 +147,7 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
                     shadow.direction = to_place * (1.0f / max(reach, real(1e-30f)));
                 }
             }
-            real3 share = shadow_transmittance(SCENE_ shadow, insides, light.flags, open, counts);
+            real3 share = ray_transmittance(SCENE_ light, shadow, insides, open, counts);
             float part = area_share(i % steps_u, steps_u) * area_share(i / steps_u, steps_v);
             sum = sum + share * real(part);
             least = min(least, share);

@@ -60,12 +60,6 @@ FN Insides insides_without(Insides list, word place) {
     return fewer;
 }
 
-/// Index of refraction of the innermost interior of a list; 1 outside of all.
-FN real insides_ior(SCENE Insides list) {
-    word innermost = list.inner & word(65535u);
-    return FIELD(interiors, innermost, ior);
-}
-
 /// Share of light, per channel, that gets through `distance` of an interior (reference, section 3.4.7.3
 /// "Attenuation"). Interior 0, the open air, is clear.
 FN real3 interior_transmittance(SCENE word interior, real distance) {
@@ -107,11 +101,25 @@ FN Crossing crossing_at(word interior, Insides list) {
     return crossing;
 }
 
-/// Index of refraction in front of the surface over the one behind it; 1 at objects without an interior.
-FN real crossing_eta(SCENE Crossing crossing, word interior, Insides list) {
-    real own = FIELD(interiors, interior, ior);
-    real entering = insides_ior(SCENE_ list) / own;
-    real leaving = own / insides_ior(SCENE_ crossing.behind);
+/// Index of refraction of an interior for light whose place in the spectrum is 0 (violet) to 1 (red), 0.5 for all
+/// colours together. By steps of the same ratio, as povray's pictures show it.
+FN real interior_ior(SCENE word interior, real spectrum) {
+    real ior = FIELD(interiors, interior, ior);
+    if (!FEATURE(FEATURE_DISPERSION)) return ior;
+    return ior * power(FIELD(interiors, interior, dispersion), 0.5f - spectrum);
+}
+
+/// Index of refraction of the innermost interior of a list; 1 outside of all.
+FN real insides_ior(SCENE Insides list, real spectrum) {
+    return interior_ior(SCENE_ list.inner & word(65535u), spectrum);
+}
+
+/// Index of refraction in front of the surface over the one behind it; 1 at objects without an interior. `spectrum`
+/// as in interior_ior().
+FN real crossing_eta(SCENE Crossing crossing, word interior, Insides list, real spectrum) {
+    real own = interior_ior(SCENE_ interior, spectrum);
+    real entering = insides_ior(SCENE_ list, spectrum) / own;
+    real leaving = own / insides_ior(SCENE_ crossing.behind, spectrum);
     real eta = select(crossing.leaves, leaving, entering);
     return select(interior == word(0u), real(1.0f), eta);
 }

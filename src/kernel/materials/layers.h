@@ -4,6 +4,7 @@
 #ifndef SUNDOG_KERNEL_MATERIALS_LAYERS_H
 #define SUNDOG_KERNEL_MATERIALS_LAYERS_H
 
+#include "kernel/lights/light.h"
 #include "kernel/materials/material.h"
 #include "kernel/materials/normal.h"
 #include "kernel/patterns/program.h"
@@ -134,6 +135,13 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
                 layered.mirror = select(stronger, select(away, s.normal, layered.normal[l]), layered.mirror);
                 strongest = select(stronger, most, strongest);
             }
+            if (FEATURE(FEATURE_EXPONENTS)) {
+                if (layer.reflection_exponent != 1.0f) {
+                    // One exponent for what all layers reflect.
+                    mask bends = mask_and(here, max(r.x, max(r.y, r.z)) > real(0.0f));
+                    lobes.exponent = select(bends, real(layer.reflection_exponent), lobes.exponent);
+                }
+            }
             reflectance = reflectance + above * r;
             above = above * (c.rgb * c.filtered + real3(c.transmitted));
             if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u && !for_shadow)
@@ -156,9 +164,33 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
     }
 }
 
+/// In which lanes a light of some group reaches a material.
+FN mask light_reaches(SCENE uint group, word material, mask patterned_lanes) {
+    word index = valid_index(patterned_lanes, FIELD(materials, material, patterned));
+    word bits = GET(code, FIELD(patterned, index, light_set) + word(group / 32u));
+    mask listed = ((bits >> (group % 32u)) & word(1u)) != word(0u);
+    return select_mask(patterned_lanes, listed, mask(group == 0u));
+}
+
+/// How a layer's thin film colours matt light: waves that were thrown back at its top and at its bottom meet in or out
+/// of phase. The amounts are those of povray's pictures.
+FN real3 film_color(SCENE Layer layer, real3 p, real cos_light, real cos_eye) {
+    real thickness = real(layer.irid_thickness);
+    if (layer.irid_turbulence != 0.0f) {
+        real stirred = 1.05f + 4.0f * turbulence_scalar(p, 5u, 2.0f, 0.5f, 2u);
+        thickness = thickness * (1.0f + stirred * layer.irid_turbulence);
+    }
+    real way = 6.28318531f * thickness * (cos_light + cos_eye);
+    real3 phase = real3(cosine(way / real(FRAME.irid_wavelength.x)), cosine(way / real(FRAME.irid_wavelength.y)),
+                        cosine(way / real(FRAME.irid_wavelength.z)));
+    return real3(real(1.0f)) + phase * real(layer.irid);
+}
+
 /// Adds what one light does to the lanes of `lit` that have textures: to `base` matt light, to `highlight` highlights.
-FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patterned_lanes, real3 light_color,
-                     uint light_flags, real3 to_light, real3 to_eye, INOUT(real3) base, INOUT(real3) highlight) {
+/// `behind`: lanes whose back it lights. `light_number` tells lights apart where something is random.
+FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask behind, mask patterned_lanes,
+                     real3 light_color, uint light_flags, uint light_number, real3 to_light, real3 to_eye,
+                     INOUT(real3) base, INOUT(real3) highlight) {
     real3 black = real3(real(0.0f));
     word index = FIELD(materials, s.material, patterned);
     mask todo = mask_and(lit, patterned_lanes);
@@ -175,9 +207,18 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patter
                 n = layered.normal[l];
                 cosine = max(dot(n, to_light), real(0.0f));
             }
+            if (FEATURE(FEATURE_BACKLIT)) cosine = max(dot(n, select(behind, -to_light, to_light)), real(0.0f));
             real share = cosine;
             if (layer.brilliance != 1.0f) share = power(cosine, real(layer.brilliance));
-            base = base + select(here, layered.own[l] * light_color * (share * layer.diffuse), black);
+            real diffuse = real(layer.diffuse);
+            if (FEATURE(FEATURE_BACKLIT)) {
+                if (m.double_illuminated == 0u) diffuse = select(behind, real(layer.diffuse_back), diffuse);
+            }
+            real matt = share * diffuse;
+            if (layer.crand > 0.0f) matt = matt - layer.crand * random_at(s.position, light_number * MAX_LAYERS + l);
+            real3 own = layered.own[l];
+            if (layer.irid > 0.0f) own = own * film_color(SCENE_ layer, s.position, cosine, abs(dot(n, to_eye)));
+            base = base + select(here, own * light_color * matt, black);
             if ((light_flags & LIGHT_HIGHLIGHTS) != 0u) {
                 if (layer.phong > 0.0f || layer.specular > 0.0f) {
                     real shine = real(0.0f);
@@ -189,7 +230,9 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask patter
                     real3 color = layered.above[l] * light_color * shine;
                     if (layer.metallic > 0.0f)
                         color = color * metallic_tint(layered.tint[l], real(layer.metallic), cosine);
-                    highlight = highlight + select(here, color, black);
+                    mask shines = here;
+                    if (m.double_illuminated == 0u) shines = mask_and(here, mask_not(behind));
+                    highlight = highlight + select(shines, color, black);
                 }
             }
         }
