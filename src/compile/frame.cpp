@@ -189,6 +189,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
 
     params.features = compiled.features;
     if (frame.camera_normal != kernel::NONE) params.features |= kernel::FEATURE_NORMALS;
+    params.rainbows = compiled.rainbows;
     params.atmosphere = compiled.atmosphere;
     std::fill(std::begin(params.eye_insides), std::end(params.eye_insides), kernel::NONE);
     const Vec3d eye{params.camera.eye.x, params.camera.eye.y, params.camera.eye.z};
@@ -200,7 +201,8 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     }
     if (std::any_of(frame.lights.begin(), frame.lights.end(), has_shape))
         params.features |= kernel::FEATURE_LIGHT_SHAPES;
-    if (params.fog_count > 0 || params.sky_layer_count > 0) params.features |= kernel::FEATURE_ATMOSPHERE;
+    if (params.fog_count > 0 || params.sky_layer_count > 0 || params.rainbows != kernel::NONE)
+        params.features |= kernel::FEATURE_ATMOSPHERE;
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
     if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);

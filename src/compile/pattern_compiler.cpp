@@ -58,18 +58,12 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
     return out;
 }
 
-/// Povray's pictures show that method 3 takes a step for each two samples, and at least two.
-constexpr int kSamplesPerStep = 2;
-/// Steps of the methods without adaption, at least: it is noise that povray's pictures have with less.
-constexpr int kLeastSteps = 12;
-constexpr int kMostSteps = 256;
-/// A step is halved where its contribution may be wrong by this share of `aa_threshold`.
-constexpr float kThresholdShare = 0.4F;
-
-std::uint32_t media_steps(const scene::Medium& m) {
-    const int steps =
-        m.method == 3 ? std::max(m.samples, 3) / kSamplesPerStep + 1 : std::max(m.intervals * m.samples, kLeastSteps);
-    return static_cast<std::uint32_t>(std::min(steps, kMostSteps));
+/// Samples of an interval. Povray's pictures show that method 3 has a sample for each two that are asked for, and at
+/// least three; and that the other methods take more than one only where that is the least. There povray takes as many
+/// as the samples' variance asks for; here it's the mean of the least and the most.
+std::uint32_t samples_of_interval(const scene::Medium& m) {
+    if (m.method == 3) return static_cast<std::uint32_t>(2 + std::max(m.samples, 3) / 2);
+    return static_cast<std::uint32_t>(m.samples <= 1 ? 1 : (m.samples + m.samples_most + 1) / 2);
 }
 
 constexpr int kMostColors = 1000;
@@ -107,6 +101,11 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
     out.filter_share = fog.color.filter, out.transmit_share = fog.color.transmit;
     out.altitude = fog.altitude, out.offset = fog.offset;
     out.up = to_kernel(normalize(fog.up));
+    out.turbulence = to_kernel(fog.turbulence);
+    out.turb_depth = fog.turbulence == Vec3{} ? 0 : fog.turb_depth;
+    out.lambda = fog.lambda, out.omega = fog.omega;
+    out.octaves = static_cast<std::uint32_t>(fog.octaves);
+    out.noise_generator = static_cast<std::uint32_t>(fog.noise_generator);
     return out;
 }
 
@@ -202,11 +201,13 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
         out_.code.push_back(static_cast<std::uint32_t>(m.scattering_type));
         out_.code.push_back(static_cast<std::uint32_t>(m.densities.size()));
         out_.code.push_back(densities[i]);
-        out_.code.push_back(media_steps(m));
+        out_.code.push_back(samples_of_interval(m));
         out_.code.push_back(static_cast<std::uint32_t>(m.method));
-        out_.code.push_back(m.method == 3 ? static_cast<std::uint32_t>(std::clamp(m.aa_level, 0, 8)) : 0);
-        put(kThresholdShare * m.aa_threshold);
-        out_.code.push_back(static_cast<std::uint32_t>(m.method == 3 ? std::clamp(m.intervals, 1, 20) : 1));
+        out_.code.push_back(
+            static_cast<std::uint32_t>(std::clamp(m.aa_level, 1, static_cast<int>(kernel::MAX_HALVINGS))));
+        put(m.aa_threshold);
+        out_.code.push_back(static_cast<std::uint32_t>(std::max(m.intervals, 1)));
+        put(m.jitter), put(m.ratio);
     }
     return known->second;
 }
@@ -322,8 +323,31 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     return out;
 }
 
+std::uint32_t PatternCompiler::rainbows() {
+    if (scene_.rainbows.empty()) return kernel::NONE;
+    std::vector<std::uint32_t> programs;
+    for (const scene::Rainbow& bow : scene_.rainbows) programs.push_back(program_of(*bow.colors));
+    const auto start = static_cast<std::uint32_t>(out_.code.size());
+    out_.code.push_back(static_cast<std::uint32_t>(programs.size()));
+    const auto put = [&](float value) { out_.code.push_back(std::bit_cast<std::uint32_t>(value)); };
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        const scene::Rainbow& bow = scene_.rainbows[i];
+        const Vec3 direction = normalize(bow.direction);
+        const Vec3 up = normalize(bow.up - direction * dot(bow.up, direction));
+        const float all_around = 4;
+        // The arc ends sharply where no part of it fades out.
+        const float arc = bow.arc_angle ? *bow.arc_angle / 2 : all_around;
+        const float full = bow.arc_angle && bow.falloff_angle ? std::min(*bow.falloff_angle / 2, arc) : arc;
+        for (const Vec3& v : {direction, up}) put(v.x), put(v.y), put(v.z);
+        put(bow.angle), put(1 / bow.width), put(bow.distance), put(bow.jitter), put(arc), put(full);
+        out_.code.push_back(programs[i]);
+    }
+    return start;
+}
+
 void PatternCompiler::compile_sky() {
     for (const scene::Fog& fog : scene_.fogs) out_.fogs.push_back(kernel_fog(fog));
+    out_.rainbows = rainbows();
     out_.atmosphere = scene_.atmosphere.empty() ? kernel::NONE : media_of(scene_.atmosphere, {});
     for (const scene::SkySphere& sky : scene_.sky_spheres) {
         for (const auto& pigment : sky.pigments) {

@@ -45,6 +45,8 @@ private:
     std::uint32_t point_program_of(const scene::PatternNormal& part);
     /// Gives the table of host fields to the RenderScene, once there are any.
     void publish_host();
+    /// The rainbows, into `code`; NONE for none.
+    std::uint32_t rainbows();
     /// A list of media, into `code`; NONE for none.
     std::uint32_t media_of(const std::vector<scene::Medium>& media, const Affine3d& medium_from_world);
 

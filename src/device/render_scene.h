@@ -55,6 +55,7 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
     std::vector<std::string> material_names;      ///< One for each of `materials`.
+    std::uint32_t rainbows = kernel::NONE;        ///< A list of them in `code`.
     std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
     std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.

@@ -47,7 +47,7 @@ KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit
 KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
 KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
 KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
-KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it.
+KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
 
 /// FrameParams::camera_kind. See kernel/cameras/projections.h.
 KERNEL_CONST uint CAMERA_PERSPECTIVE = 0u;
@@ -201,7 +201,7 @@ KERNEL_CONST uint FEATURE_CULL = 256u;       ///< Back faces of opaque materials
 KERNEL_CONST uint FEATURE_BUMP = 512u;       ///< Some material has a bump or normal map.
 
 KERNEL_CONST uint FEATURE_PATTERNED = 1024u;     ///< Some material is a texture of layers.
-KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog or a sky sphere.
+KERNEL_CONST uint FEATURE_ATMOSPHERE = 2048u;    ///< Fog, a rainbow or a sky sphere.
 KERNEL_CONST uint FEATURE_LIGHT_SHAPES = 4096u;  ///< Some light is a spot, a cylinder, an area or fades.
 KERNEL_CONST uint FEATURE_HIDDEN = 8192u;        ///< Some geometry is hidden from some rays.
 KERNEL_CONST uint FEATURE_NORMALS = 16384u;      ///< Some layer's normal is bent by patterns.
@@ -233,8 +233,15 @@ KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
 /// emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of densities, where their
-/// programs are listed, steps, method, aa_level, aa_threshold, intervals. See kernel/atmosphere/media.h.
-KERNEL_CONST uint MEDIUM_WORDS = 19u;
+/// programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals, jitter, ratio. See
+/// kernel/atmosphere/media.h.
+KERNEL_CONST uint MEDIUM_WORDS = 21u;
+/// Rainbows in `code`: their count, then RAINBOW_WORDS each: direction (unit), up (unit, across it), angle, one over
+/// the width, distance, jitter, half the arc and half of what of it is there in full (radians), the program of its
+/// colours along x. See kernel/atmosphere/rainbow.h.
+KERNEL_CONST uint RAINBOW_WORDS = 13u;
+/// Most entries of aa_level: how often a step may be halved.
+KERNEL_CONST uint MAX_HALVINGS = 8u;
 
 struct Triangle {
     uint p0, p1, p2;  ///< Indices into positions.
@@ -385,7 +392,11 @@ struct Fog {
     vec3 color;
     float filter_share, transmit_share;  ///< How much of the dimmed light is tinted; how much of it passes at least.
     float altitude, offset;
-    vec3 up;  ///< Unit.
+    vec3 up;           ///< Unit.
+    vec3 turbulence;   ///< Noise is asked at places times this …
+    float turb_depth;  ///< … and thins the fog out by this times it; 0: none.
+    float lambda, omega;
+    uint octaves, noise_generator;
 };
 
 /// A pigment on the infinitely far sphere: its program is asked at the ray's direction.
@@ -416,6 +427,7 @@ struct FrameParams {
     float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
                           ///< scenes whose numbers are sRGB-encoded.
     uint seed;
+    uint rainbows;    ///< A list of them in `code`, or NONE.
     uint atmosphere;  ///< Media that are everywhere: a list of them in `code`, or NONE.
     uint
         eye_insides[MAX_MEDIA_INSIDES];  ///< What the eye is inside of: PatternedMaterial::medium, NONE in free places.

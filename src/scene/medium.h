@@ -22,9 +22,11 @@ struct Medium {
     std::vector<std::shared_ptr<const Pigment>> densities;  ///< Multiplied; none: 1 everywhere.
     int method = 3;
     int intervals = 1;
-    int samples = 10;           ///< At least, for each interval.
-    int aa_level = 4;           ///< Method 3: how often the way between two samples is halved where they differ …
+    int samples = 10, samples_most = 10;  ///< At least and at most, for each interval.
+    int aa_level = 3;           ///< Method 3: how often the way between two samples is halved where they differ …
     float aa_threshold = 0.1F;  ///< … by more than this.
+    float jitter = 0;           ///< How far samples are moved off their places, as a share of the way to the next one.
+    float ratio = 0.9F;         ///< Share of the intervals that is in what spots light, where any do.
 };
 
 }  // namespace sundog::scene

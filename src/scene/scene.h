@@ -248,6 +248,21 @@ struct Fog {
     PigmentColor color;
     float altitude = 0, offset = 0;
     Vec3 up{0, 1, 0};
+    Vec3 turbulence{0, 0, 0};  ///< Noise that thins it out is asked at places times this; 0: none.
+    float turb_depth = 0.5F;   ///< How much so.
+    float lambda = 2, omega = 0.5F;
+    int octaves = 6, noise_generator = 2;
+};
+
+/// A rainbow (section 3.4.3.5, whose names and defaults these are). Angles in radians.
+struct Rainbow {
+    SourceLocation where;
+    Vec3 direction{0, 0, 0}, up{0, 1, 0};
+    float angle = 0, width = 0;
+    float distance = 1e7F;
+    float jitter = 0;
+    std::optional<float> arc_angle, falloff_angle;  ///< None: all around, and in full.
+    std::shared_ptr<const Pigment> colors;          ///< Along x from 0, innermost, to 1.
 };
 
 /// A pigment on the infinitely far sphere, looked up by direction. Later ones lie over earlier ones.
@@ -288,6 +303,7 @@ struct Scene {
     Vec3 sky{0, 0, 0};                          ///< Linear RGB radiance of rays that hit nothing.
     float sky_alpha = 1;                        ///< Opacity of the sky in pictures that have alpha.
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     std::vector<Medium> atmosphere;  ///< Media that are everywhere.
     std::vector<SkySphere> sky_spheres;
     std::optional<Radiosity> radiosity;

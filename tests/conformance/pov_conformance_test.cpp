@@ -79,11 +79,6 @@ std::vector<std::string> scene_names() {
 /// leave the list.
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> differences{
-        {"media_emission", "povray's few samples of varying media lie elsewhere"},
-        {"media_phase", "povray counts scattered light a few percent brighter"},
-        {"media_scattering", "povray counts scattered light a few percent brighter"},
-        {"media_spotlight", "povray counts scattered light a few percent brighter"},
-        {"media_transformed", "povray's few samples of varying media lie elsewhere"},
         {"normal_bump_map", "bumps of images differ in strength; the cause was not found"},
         {"texture_average", "a little lighter; the cause was not found"},
     };

@@ -96,6 +96,7 @@ Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKern
     scene_.frame.aovs = kernel::AOV_DEPTH;
     if (!settings_.through_media) {
         scene_.frame.fog_count = 0;
+        scene_.frame.rainbows = kernel::NONE;
         scene_.frame.features &= ~(kernel::FEATURE_MEDIA | kernel::FEATURE_HOLLOW);
     }
     // What the eye is inside of isn't where light is gathered.

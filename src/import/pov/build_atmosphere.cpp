@@ -16,6 +16,7 @@ Vec3 rgb_of(const scene::PigmentColor& c) { return {c.r, c.g, c.b}; }
 scene::Fog fog_of(BuildContext& context, const Block& block) {
     ItemReader items(context, block);
     scene::Fog fog;
+    fog.noise_generator = context.noise_generator;
     const auto number = [&](std::string_view what) { return static_cast<float>(items.number(what)); };
     while (!items.at_end()) {
         Affine3d moved;
@@ -32,11 +33,15 @@ scene::Fog fog_of(BuildContext& context, const Block& block) {
         } else if (items.take(Keyword::up)) {
             fog.up = to_float(normalize(items.vector("a direction upwards")));
         } else if (items.take(Keyword::turbulence)) {
-            if (length(items.vector("an amount of turbulence")) > 0)
-                context.warn_once("fog turbulence", items.taken_where(), "turbulence of fog isn't drawn yet");
-        } else if (items.take(Keyword::octaves) || items.take(Keyword::lambda) || items.take(Keyword::omega) ||
-                   items.take(Keyword::turb_depth)) {
-            items.number("a number");
+            fog.turbulence = to_float(items.vector("an amount of turbulence"));
+        } else if (items.take(Keyword::turb_depth)) {
+            fog.turb_depth = number("a share of the turbulence");
+        } else if (items.take(Keyword::lambda)) {
+            fog.lambda = number("a ratio of frequencies");
+        } else if (items.take(Keyword::omega)) {
+            fog.omega = number("a ratio of strengths");
+        } else if (items.take(Keyword::octaves)) {
+            fog.octaves = items.integer("a number of octaves", 1, 10);
         } else if (items.value_follows()) {
             fog.color = items.color("a color");
         } else if (read_transform(items, moved)) {
@@ -49,6 +54,54 @@ scene::Fog fog_of(BuildContext& context, const Block& block) {
         }
     }
     return fog;
+}
+
+/// The colours of `color_map { }` along x.
+std::shared_ptr<const scene::Pigment> colors_along_x(BuildContext& context, const Block& rainbow, const Block& map) {
+    scene::Pigment gradient;
+    gradient.where = context.location(map.where);
+    gradient.kind = scene::Pigment::Kind::mapped;
+    Block pigment = rainbow;
+    pigment.keyword = Keyword::pigment;
+    pigment.items = {Item{map.where, std::make_shared<const Block>(map)}};
+    return std::make_shared<const scene::Pigment>(read_pigment(context, pigment, std::move(gradient)));
+}
+
+scene::Rainbow rainbow_of(BuildContext& context, const Block& block) {
+    ItemReader items(context, block);
+    scene::Rainbow bow;
+    const auto number = [&](std::string_view what) { return static_cast<float>(items.number(what)); };
+    const auto radians = [&] { return number("an angle in degrees") * 0.0174532925F; };
+    while (!items.at_end()) {
+        if (const auto base = items.take_block(Keyword::rainbow)) {
+            bow = rainbow_of(context, *base);
+        } else if (const auto map = items.take_block(Keyword::color_map)) {
+            bow.colors = colors_along_x(context, block, *map);
+        } else if (items.take(Keyword::direction)) {
+            bow.direction = to_float(items.vector("a direction"));
+        } else if (items.take(Keyword::up)) {
+            bow.up = to_float(items.vector("a direction upwards"));
+        } else if (items.take(Keyword::angle)) {
+            bow.angle = radians();
+        } else if (items.take(Keyword::width)) {
+            bow.width = radians();
+        } else if (items.take(Keyword::distance)) {
+            bow.distance = number("a distance");
+        } else if (items.take(Keyword::jitter)) {
+            bow.jitter = number("an amount of jitter");
+        } else if (items.take(Keyword::arc_angle)) {
+            bow.arc_angle = radians();
+        } else if (items.take(Keyword::falloff_angle)) {
+            bow.falloff_angle = radians();
+        } else {
+            static constexpr std::array kValid{Keyword::direction, Keyword::up,        Keyword::angle,
+                                               Keyword::width,     Keyword::distance,  Keyword::jitter,
+                                               Keyword::color_map, Keyword::arc_angle, Keyword::falloff_angle};
+            items.unexpected(kValid);
+        }
+    }
+    bow.where = context.location(block.where);
+    return bow;
 }
 
 scene::SkySphere sky_sphere_of(BuildContext& context, const Block& block) {
@@ -100,6 +153,13 @@ void read_fog(BuildContext& context, const Block& block) {
     } else {
         context.warn(block.where, "a fog without distance; left out");
     }
+}
+
+void read_rainbow(BuildContext& context, const Block& block) {
+    const scene::Rainbow bow = rainbow_of(context, block);
+    if (bow.direction == Vec3{} || !(bow.width > 0) || !(bow.angle > 0) || !bow.colors)
+        context.warn(block.where, "a rainbow without direction, angle, width or color_map; left out");
+    else context.scene.rainbows.push_back(bow);
 }
 
 void read_sky_sphere(BuildContext& context, const Block& block) {

@@ -8,6 +8,7 @@ namespace sundog::pov {
 
 void read_background(BuildContext& context, const Block& block);
 void read_fog(BuildContext& context, const Block& block);
+void read_rainbow(BuildContext& context, const Block& block);
 void read_sky_sphere(BuildContext& context, const Block& block);
 void read_global_settings(BuildContext& context, const Block& block);
 

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <cstring>
+#include <fstream>
+#include <span>
 
 #include "fields/function_evaluator.h"
 #include "fields/pigment_evaluator.h"
@@ -48,16 +52,45 @@ scene::Index texture_of(BuildContext& context, const ImageName& image, bool srgb
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }
 
-/// filter and transmit: `all Amount`, `Index, Amount` for one entry of a palette, or (3.7) one amount for all.
-float read_amount_for_all(ItemReader& items, float before) {
-    if (items.take(Keyword::all)) return static_cast<float>(items.number("an amount"));
-    const double first = items.number("'all' or an index of the palette");
-    if (items.maybe_number()) {
-        items.context().warn_once("palette transparency", items.taken_where(),
-                                  "transparency of single palette entries isn't drawn yet", "those colors stay opaque");
-        return before;
+/// Between a file's name and what was changed in it.
+constexpr std::string_view kChange = " with palette entry ";
+
+/// Lets `amount` of the light through where the image has the colour of an entry of its palette.
+void clear_palette_entry(BuildContext& context, scene::ImageMap& image, int entry, double amount) {
+    scene::Texture texture = context.scene.textures[image.texture];
+    const auto numbers = palette_of(texture.name.substr(0, texture.name.find(kChange)));
+    const auto alpha = static_cast<std::uint32_t>(std::lround((1 - std::clamp(amount, 0.0, 1.0)) * 255));
+    for (std::uint32_t& texel : texture.rgba8) {
+        const auto number = numbers.find(texel & 0xffffffU);
+        if (number != numbers.end() && number->second == static_cast<std::uint32_t>(entry))
+            texel = (texel & 0xffffffU) | alpha << 24U;
     }
-    return static_cast<float>(first);
+    texture.name += std::string(kChange) + std::to_string(entry) + " " + std::to_string(alpha);
+    if (const auto known = find_texture(context.scene, texture.name, texture.srgb)) {
+        image.texture = *known;
+        return;
+    }
+    context.scene.textures.push_back(std::move(texture));
+    image.texture = static_cast<scene::Index>(context.scene.textures.size() - 1);
+}
+
+/// filter and transmit: `all Amount`, `Index, Amount` for one entry of a palette, or (3.7) one amount for all.
+void read_transparency(ItemReader& items, scene::ImageMap& image, bool transmits) {
+    float& all = transmits ? image.transmit_all : image.filter_all;
+    if (items.take(Keyword::all)) {
+        all = static_cast<float>(items.number("an amount"));
+        return;
+    }
+    const double first = items.number("'all' or an index of the palette");
+    const std::optional<double> amount = items.maybe_number();
+    if (!amount) {
+        all = static_cast<float>(first);
+    } else if (transmits) {
+        clear_palette_entry(items.context(), image, static_cast<int>(std::clamp(first, 0.0, 65535.0)), *amount);
+    } else {
+        items.context().warn_once("palette transparency", items.taken_where(),
+                                  "a filter of single palette entries isn't drawn yet", "those colors stay opaque");
+    }
 }
 
 /// 0..1 as a byte; what lies beyond comes round again, as in povray's pictures.
@@ -109,12 +142,62 @@ scene::Index texture_of_function(BuildContext& context, ItemReader& items) {
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }
 
+/// Calls `f` with the name and contents of a PNG file's chunks as long as it returns true; not for other files.
+template <typename F>
+void for_png_chunks(const std::string& file, F f) {
+    std::ifstream stream(file, std::ios::binary);
+    std::array<char, 8> signature{};
+    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0) return;
+    std::array<unsigned char, 8> header{};
+    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
+        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
+                                   std::uint32_t{header[2]} << 8U | header[3];
+        // Chunks that are asked for are small.
+        std::array<unsigned char, 768> contents{};
+        const std::uint32_t kept = std::min<std::uint32_t>(size, contents.size());
+        if (!stream.read(reinterpret_cast<char*>(contents.data()), kept)) return;
+        const std::string name(header.begin() + 4, header.end());
+        if (!f(name, std::span<const unsigned char>(contents.data(), kept))) return;
+        stream.seekg(static_cast<std::streamoff>(size - kept) + 4, std::ios::cur);
+    }
+}
+
+/// True if a PNG file says how its numbers are encoded.
+bool tells_gamma(const std::string& file) {
+    bool tells = false;
+    for_png_chunks(file, [&](const std::string& name, std::span<const unsigned char>) {
+        tells = name == "gAMA" || name == "sRGB";
+        return !tells && name != "IDAT";
+    });
+    return tells;
+}
+
+/// Whether an image's numbers are sRGB-encoded. As povray's pictures show: before version 3.7, files that don't say so
+/// hold numbers as a scene does; from then on, all but PNM and TIFF files are sRGB-encoded.
 bool is_srgb(const BuildContext& context, const Block& block, const ImageName& image) {
     if (context.stored_colors(block.version)) return false;
-    return !image.gamma || *image.gamma > 1.5;
+    if (image.gamma) return *image.gamma > 1.5;
+    const std::filesystem::path file = context.find_file(image.name, image.where);
+    if (block.version < 370) return tells_gamma(file.string());
+    std::string kind = file.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return kind != ".ppm" && kind != ".pgm" && kind != ".tif" && kind != ".tiff";
 }
 
 }  // namespace
+
+std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file) {
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for_png_chunks(file, [&](const std::string& name, std::span<const unsigned char> colors) {
+        if (name != "PLTE") return name != "IDAT";
+        for (std::uint32_t i = 0; i < colors.size() / 3; ++i)
+            numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
+                                std::uint32_t{colors[3 * i + 2]} << 16U,
+                            i);
+        return false;
+    });
+    return numbers;
+}
 
 ImageName read_image_name(ItemReader& items) {
     for (const Keyword kind : kFileKinds)
@@ -152,11 +235,11 @@ bool read_image_modifier(ItemReader& items, scene::ImageMap& image) {
             return true;
         case Keyword::filter:
             items.skip();
-            image.filter_all = read_amount_for_all(items, image.filter_all);
+            read_transparency(items, image, false);
             return true;
         case Keyword::transmit:
             items.skip();
-            image.transmit_all = read_amount_for_all(items, image.transmit_all);
+            read_transparency(items, image, true);
             return true;
         case Keyword::use_index:
         case Keyword::use_color:

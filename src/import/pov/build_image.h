@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,9 @@ ImageName read_image_name(ItemReader& items);
 
 /// Takes the modifiers that image maps share (once, map_type, interpolate, …). False if none follows.
 bool read_image_modifier(ItemReader& items, scene::ImageMap& image);
+
+/// The number of each colour (0xBBGGRR) in a PNG file's palette; empty for files without one.
+std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file);
 
 /// What an image's numbers mean: colours, which files store encoded, or heights and the like, which they store as they
 /// are.

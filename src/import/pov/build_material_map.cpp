@@ -3,40 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
-#include <map>
-#include <string>
 
 #include "import/pov/build_image.h"
 
 namespace sundog::pov {
 namespace {
-
-/// The number of each colour (0xBBGGRR) in a PNG file's palette; empty for files without one.
-std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file) {
-    std::map<std::uint32_t, std::uint32_t> numbers;
-    std::ifstream stream(file, std::ios::binary);
-    std::array<char, 8> signature{};
-    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0)
-        return numbers;
-    std::array<unsigned char, 8> header{};
-    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
-        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
-                                   std::uint32_t{header[2]} << 8U | header[3];
-        if (std::memcmp(header.data() + 4, "PLTE", 4) == 0) {
-            std::array<unsigned char, 768> colors{};
-            if (size > colors.size() || !stream.read(reinterpret_cast<char*>(colors.data()), size)) return numbers;
-            for (std::uint32_t i = 0; i < size / 3; ++i)
-                numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
-                                    std::uint32_t{colors[3 * i + 2]} << 16U,
-                                i);
-            return numbers;
-        }
-        stream.seekg(static_cast<std::streamoff>(size) + 4, std::ios::cur);
-    }
-    return numbers;
-}
 
 /// The picture's texture with palette numbers for red, where it has a palette.
 scene::Index numbered(BuildContext& context, scene::Index index) {

@@ -121,15 +121,21 @@ private:
         } else if (items_.take(Keyword::intervals)) {
             medium_.intervals = items_.integer("a number of intervals", 1, kMost);
         } else if (items_.take(Keyword::samples)) {
-            medium_.samples = items_.integer("a number of samples", 1, kMost);
-            items_.maybe_number();
+            medium_.samples = items_.integer("the least number of samples", 1, kMost);
+            medium_.samples_most = medium_.samples;
+            if (items_.number_follows())
+                medium_.samples_most =
+                    std::max(items_.integer("the greatest number of samples", 1, kMost), medium_.samples);
         } else if (items_.take(Keyword::aa_level)) {
-            medium_.aa_level = items_.integer("a level", 0, 1000);
+            medium_.aa_level = items_.integer("a level", 1, 1000);
         } else if (items_.take(Keyword::aa_threshold)) {
             medium_.aa_threshold = static_cast<float>(items_.number("a threshold"));
-        } else if (items_.take(Keyword::confidence) || items_.take(Keyword::variance) || items_.take(Keyword::ratio) ||
-                   items_.take(Keyword::jitter)) {
-            items_.maybe_number();  // Of how noise is kept down: there is none.
+        } else if (items_.take(Keyword::jitter)) {
+            medium_.jitter = static_cast<float>(items_.maybe_number().value_or(1));
+        } else if (items_.take(Keyword::ratio)) {
+            medium_.ratio = static_cast<float>(items_.number("a ratio"));
+        } else if (items_.take(Keyword::confidence) || items_.take(Keyword::variance)) {
+            items_.maybe_number();  // When there are enough random samples: the number here is fixed.
         } else {
             return false;
         }

@@ -42,7 +42,7 @@ void SceneBuilder::read(const Block& block) {
             read_global_settings(context_, block);
             return;
         case Keyword::rainbow:
-            context_.warn_once("rainbow", block.where, "rainbow { } isn't drawn yet");
+            read_rainbow(context_, block);
             return;
         case Keyword::media:
             context_.scene.atmosphere.push_back(read_medium(context_, block));

@@ -4,25 +4,25 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 
+#include "kernel/atmosphere/fog.h"
 #include "kernel/atmosphere/media_insides.h"
 #include "kernel/patterns/program.h"
 
 KERNEL_BEGIN
 
-/// Rays that hit nothing are followed through media as far as this, as povray does.
-const float MEDIA_FAR = 1.0e7f;
 /// Most particles of different kinds at one place that scatter light.
-const uint MAX_SCATTERERS = 6u;
-/// Most halvings of a step.
-const uint MAX_HALVINGS = 8u;
+const uint MAX_SCATTERERS = 8u;
+/// Most lists of media at one place: of the insides, and the atmosphere's.
+const uint MAX_MEDIA_LISTS = MAX_MEDIA_INSIDES + 1u;
 
-/// How densely rays through media are sampled: the finest of what the media at hand ask for.
-struct MediaSampling {
-    uint steps;     ///< Equal steps along a ray, or between its boundaries.
-    uint halvings;  ///< How often a step is halved where its ends differ by more than `threshold`.
-    float threshold;
-    bool exact_steps;  ///< Steps dim their own light (methods 1 and 2); method 3 counts it whole.
-    bool varies;       ///< Somewhere, density depends on the place.
+/// The media that some lanes are in together.
+struct MediaGroup {
+    uint count;
+    uint list[MAX_MEDIA_LISTS];  ///< In `code`.
+    uint first;                  ///< The medium in `code` whose sampling counts: as in povray, the one entered first.
+    bool varies;                 ///< Somewhere, density depends on the place.
+    bool absorbs;                ///< Some light is lost.
+    bool emits;
     bool scatters;
 };
 
@@ -37,90 +37,88 @@ struct Scatterers {
     uint count;
     uint type[MAX_SCATTERERS];
     float eccentricity[MAX_SCATTERERS];
-    real3 color[MAX_SCATTERERS];  ///< Per unit of length; black in lanes that don't have them.
+    real3 color[MAX_SCATTERERS];  ///< Per unit of length.
 };
 
-/// Takes the needs of a list of media into account.
-FN void add_sampling(SCENE uint list, INOUT(MediaSampling) sampling) {
+FN real largest(real3 c) { return max(c.x, max(c.y, c.z)); }
+FN bool not_black(vec3 c) { return max(abs(c.x), max(abs(c.y), abs(c.z))) > 0.0f; }
+
+FN void add_list(SCENE uint list, INOUT(MediaGroup) group) {
+    if (group.count == 0u) group.first = list + 13u;
+    group.list[group.count] = list;
+    group.count = group.count + 1u;
     uint count = AT(code, list);
     for (uint i = 0u; i < count; i = i + 1u) {
         uint at = list + 13u + i * MEDIUM_WORDS;
-        vec3 scattering = code_vec3(SCENE_ at + 6u);
-        bool scatters = max(abs(scattering.x), max(abs(scattering.y), abs(scattering.z))) > 0.0f;
-        uint steps = AT(code, at + 14u);
-        if (scatters) steps = steps * AT(code, at + 18u);
-        sampling.steps = max(sampling.steps, steps);
-        if (AT(code, at + 15u) != 3u) sampling.exact_steps = true;
-        sampling.halvings = max(sampling.halvings, min(AT(code, at + 16u), MAX_HALVINGS));
-        sampling.threshold = min(sampling.threshold, code_float(SCENE_ at + 17u));
-        if (AT(code, at + 12u) > 0u) sampling.varies = true;
-        if (scatters) sampling.scatters = true;
+        bool scatters = not_black(code_vec3(SCENE_ at + 6u));
+        group.scatters = group.scatters || scatters;
+        group.emits = group.emits || not_black(code_vec3(SCENE_ at + 3u));
+        group.absorbs =
+            group.absorbs || not_black(code_vec3(SCENE_ at)) || (scatters && code_float(SCENE_ at + 9u) != 0.0f);
+        group.varies = group.varies || AT(code, at + 12u) > 0u;
     }
 }
 
-/// What the lanes of `active` need together.
-FN MediaSampling media_sampling(SCENE MediaInsides insides, bool atmosphere, mask active) {
-    MediaSampling sampling;
-    sampling.steps = 1u;
-    sampling.halvings = 0u;
-    sampling.threshold = 1.0f;
-    sampling.exact_steps = false;
-    sampling.varies = false;
-    sampling.scatters = false;
-    if (atmosphere) add_sampling(SCENE_ FRAME.atmosphere, sampling);
+/// Takes those lanes from `todo` that are in the same media as its first one, and says in which. In what isn't hollow
+/// there are none, whatever it stands in.
+FN mask take_alike(SCENE MediaInsides insides, bool atmosphere, INOUT(mask) todo, OUT(MediaGroup) group) {
+    mask alike = todo;
+    bool solid = false;
+    group.count = 0u;
+    group.first = 0u;
+    group.varies = false;
+    group.absorbs = false;
+    group.emits = false;
+    group.scatters = false;
     for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u) {
-        mask todo = mask_and(active, insides.entry[i] < word(MEDIUM_SOLID));
-        while (any_lane(todo)) {
-            uint list = first_lane(todo, insides.entry[i]);
-            todo = mask_and(todo, mask_not(insides.entry[i] == word(list)));
-            add_sampling(SCENE_ list, sampling);
-        }
+        uint list = first_lane(todo, insides.entry[i]);
+        alike = mask_and(alike, insides.entry[i] == word(list));
+        if (list == MEDIUM_SOLID) solid = true;
+        else if (list != NONE) add_list(SCENE_ list, group);
     }
-    return sampling;
+    if (atmosphere) add_list(SCENE_ FRAME.atmosphere, group);
+    if (solid) group.count = 0u;
+    todo = mask_and(todo, mask_not(alike));
+    return alike;
 }
 
-/// Adds what a list of media does at p in the lanes of `here`.
-FN_LARGE void add_media(SCENE uint list, real3 p, mask here, INOUT(MediaPoint) point, INOUT(Scatterers) scatterers) {
-    uint count = AT(code, list);
-    real3 placed = real3(code_vec3(SCENE_ list + 1u)) * p.x + real3(code_vec3(SCENE_ list + 4u)) * p.y +
-                   real3(code_vec3(SCENE_ list + 7u)) * p.z + real3(code_vec3(SCENE_ list + 10u));
-    real3 black = real3(real(0.0f));
-    for (uint i = 0u; i < count; i = i + 1u) {
-        uint at = list + 13u + i * MEDIUM_WORDS;
-        real3 density = real3(real(1.0f));
-        uint programs = AT(code, at + 13u);
-        for (uint d = 0u; d < AT(code, at + 12u); d = d + 1u)
-            density = density * run_program(SCENE_ AT(code, programs + d), placed).rgb;
-        density = select(here, density, black);
-        real3 scattered = density * real3(code_vec3(SCENE_ at + 6u));
-        point.extinction =
-            point.extinction + density * real3(code_vec3(SCENE_ at)) + scattered * real(code_float(SCENE_ at + 9u));
-        point.glow = point.glow + density * real3(code_vec3(SCENE_ at + 3u));
-        vec3 scattering = code_vec3(SCENE_ at + 6u);
-        if (max(abs(scattering.x), max(abs(scattering.y), abs(scattering.z))) > 0.0f &&
-            scatterers.count < MAX_SCATTERERS) {
-            scatterers.type[scatterers.count] = AT(code, at + 11u);
-            scatterers.eccentricity[scatterers.count] = code_float(SCENE_ at + 10u);
-            scatterers.color[scatterers.count] = scattered;
-            scatterers.count = scatterers.count + 1u;
-        }
-    }
+/// The density of the medium at `at` in `code`, at a point of its own space, per channel.
+FN real3 medium_density(SCENE uint at, real3 placed) {
+    real3 density = real3(real(1.0f));
+    uint programs = AT(code, at + 13u);
+    for (uint d = 0u; d < AT(code, at + 12u); d = d + 1u)
+        density = density * run_program(SCENE_ AT(code, programs + d), placed).rgb;
+    return density;
+}
+
+/// Where the media of a list have the point p.
+FN real3 placed_in_media(SCENE uint list, real3 p) {
+    return real3(code_vec3(SCENE_ list + 1u)) * p.x + real3(code_vec3(SCENE_ list + 4u)) * p.y +
+           real3(code_vec3(SCENE_ list + 7u)) * p.z + real3(code_vec3(SCENE_ list + 10u));
 }
 
 /// All media at p, without the light that they scatter.
-FN MediaPoint media_at(SCENE real3 p, MediaInsides insides, bool atmosphere, mask active, OUT(Scatterers) scatterers) {
+FN_LARGE MediaPoint media_at(SCENE MediaGroup group, real3 p, OUT(Scatterers) scatterers) {
     MediaPoint point;
     point.extinction = real3(real(0.0f));
     point.glow = real3(real(0.0f));
     scatterers.count = 0u;
-    if (atmosphere) add_media(SCENE_ FRAME.atmosphere, p, active, point, scatterers);
-    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u) {
-        mask todo = mask_and(active, insides.entry[i] < word(MEDIUM_SOLID));
-        while (any_lane(todo)) {
-            uint list = first_lane(todo, insides.entry[i]);
-            mask here = mask_and(todo, insides.entry[i] == word(list));
-            todo = mask_and(todo, mask_not(here));
-            add_media(SCENE_ list, p, here, point, scatterers);
+    for (uint k = 0u; k < group.count; k = k + 1u) {
+        uint list = group.list[k];
+        real3 placed = placed_in_media(SCENE_ list, p);
+        for (uint i = 0u; i < AT(code, list); i = i + 1u) {
+            uint at = list + 13u + i * MEDIUM_WORDS;
+            real3 density = medium_density(SCENE_ at, placed);
+            real3 scattered = density * real3(code_vec3(SCENE_ at + 6u));
+            point.extinction =
+                point.extinction + density * real3(code_vec3(SCENE_ at)) + scattered * real(code_float(SCENE_ at + 9u));
+            point.glow = point.glow + density * real3(code_vec3(SCENE_ at + 3u));
+            if (scatterers.count < MAX_SCATTERERS && not_black(code_vec3(SCENE_ at + 6u))) {
+                scatterers.type[scatterers.count] = AT(code, at + 11u);
+                scatterers.eccentricity[scatterers.count] = code_float(SCENE_ at + 10u);
+                scatterers.color[scatterers.count] = scattered;
+                scatterers.count = scatterers.count + 1u;
+            }
         }
     }
     return point;
@@ -131,32 +129,51 @@ FN real3 dimmed_by(real3 x) {
     return real3(exp2_clamped(x.x * -1.44269504f), exp2_clamped(x.y * -1.44269504f), exp2_clamped(x.z * -1.44269504f));
 }
 
-/// The lanes of `alive` in which there are any media.
-FN mask in_media(MediaInsides insides, bool atmosphere, mask alive) {
-    mask somewhere = mask(atmosphere);
-    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u)
-        somewhere = mask_or(somewhere, insides.entry[i] < word(MEDIUM_SOLID));
-    return mask_and(mask_and(alive, somewhere), mask_not(in_solid(insides)));
+/// Extinction along `reach` of a ray, summed up over the places where povray's methods have their samples when no light
+/// tells them to take more.
+FN real3 media_depth(SCENE MediaGroup group, Ray ray, real reach) {
+    real3 sum = real3(real(0.0f));
+    uint samples = AT(code, group.first + 14u);
+    uint intervals = AT(code, group.first + 18u);
+    bool adaptive = AT(code, group.first + 15u) == 3u;
+    // Method 3: `samples` at ends of steps and one between each two; but the last step's length is not passed.
+    uint places = adaptive ? 2u * samples - 1u : samples;
+    float step = adaptive ? 0.5f / float(samples) : 1.0f / float(samples);
+    float share = adaptive ? 1.0f / float(3u * (samples - 1u)) : step;
+    if (!group.varies) {
+        intervals = 1u;
+        places = 1u;
+        share = 1.0f;
+    }
+    share = share / float(intervals);
+    step = step / float(intervals);
+    Scatterers scatterers;
+    for (uint i = 0u; i < intervals; i = i + 1u) {
+        float begin = float(i) / float(intervals);
+        for (uint k = 0u; k < places; k = k + 1u) {
+            float at = begin + step * (adaptive ? float(k) : float(k) + 0.5f);
+            bool inner_end = adaptive && k % 2u == 0u && k > 0u && k + 1u < places;
+            real3 extinction = media_at(SCENE_ group, point_at(ray, reach * at), scatterers).extinction;
+            sum = sum + extinction * real(inner_end ? 2.0f * share : share);
+        }
+    }
+    return sum * reach;
 }
 
 /// Share of light, per channel, that gets through media over `distance` along a ray.
 FN_LARGE real3 media_transmittance(SCENE Ray ray, real distance, MediaInsides insides, bool with_atmosphere,
                                    mask alive) {
     bool atmosphere = with_atmosphere && FRAME.atmosphere != NONE;
-    mask active = in_media(insides, atmosphere, alive);
-    real3 white = real3(real(1.0f));
-    if (!any_lane(active)) return white;
-    MediaSampling sampling = media_sampling(SCENE_ insides, atmosphere, active);
-    real reach = min(select(active, distance, real(0.0f)), real(MEDIA_FAR));
-    uint steps = sampling.varies ? sampling.steps : 1u;
-    real step = reach * (1.0f / float(steps));
-    real3 depth = real3(real(0.0f));
-    Scatterers scatterers;
-    for (uint i = 0u; i < steps; i = i + 1u) {
-        real3 p = ray.origin + ray.direction * (step * (float(i) + 0.5f));
-        depth = depth + media_at(SCENE_ p, insides, atmosphere, active, scatterers).extinction * step;
+    real3 passes = real3(real(1.0f));
+    real reach = min(distance, real(FOG_FAR));
+    mask todo = mask_and(alive, reach > real(0.0f));
+    while (any_lane(todo)) {
+        MediaGroup group;
+        mask here = take_alike(SCENE_ insides, atmosphere, todo, group);
+        if (group.count == 0u || !group.absorbs) continue;
+        passes = select(here, dimmed_by(media_depth(SCENE_ group, ray, select(here, reach, real(0.0f)))), passes);
     }
-    return select(active, dimmed_by(depth), white);
+    return passes;
 }
 
 KERNEL_END

@@ -27,6 +27,13 @@ FN mask in_solid(MediaInsides insides) {
     return solid;
 }
 
+/// The solids alone of what a ray is inside of.
+FN MediaInsides solids_alone(MediaInsides insides) {
+    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u)
+        insides.entry[i] = select(insides.entry[i] == word(MEDIUM_SOLID), insides.entry[i], word(NONE));
+    return insides;
+}
+
 /// What rays are inside of once they have passed the surface, in the lanes of `passing`. As in povray, each surface
 /// with an interior that a ray is in leads out of it, and each other one into it, whichever side is which (so two
 /// overlapping parts of a union that share one interior are empty where they overlap). Solids are entered by the front.

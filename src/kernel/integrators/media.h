@@ -1,94 +1,155 @@
 // SPDX-License-Identifier: Apache-2.0
-// What media send along a ray: their own light and what they scatter of lights, with shadows. CPU only.
+// What media send along a ray: their own light and what they scatter of lights, with shadows. Samples stand where
+// povray's do (reference, section 3.4.8.2.4 "Sampling Parameters & Methods"; the places are those that pictures of
+// povray 3.7 show), and count as there. CPU only.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_MEDIA_H
 #define SUNDOG_KERNEL_INTEGRATORS_MEDIA_H
 
 #include "kernel/atmosphere/media.h"
 #include "kernel/atmosphere/scattering.h"
 #include "kernel/lights/shadow.h"
+#include "kernel/patterns/noise.h"
 
 KERNEL_BEGIN
 
-/// Places on a ray where spots and cylinders begin and end to light it, ascending, with the ray's own end; beyond that,
-/// all are the end.
-const uint MAX_MEDIA_BOUNDARIES = 9u;
-struct MediaBoundaries {
-    uint count;
-    real at[MAX_MEDIA_BOUNDARIES];
+/// A stretch of a ray in the media of a group.
+struct MediaRay {
+    Ray ray;
+    MediaInsides insides;
+    MediaGroup group;
 };
 
-/// Where a ray enters and leaves the part of space that a light shines into; `end` for what isn't there.
-FN void light_boundaries(Light light, Ray ray, real end, OUT(real) first, OUT(real) second) {
+/// Radiance that comes out of media at a ray's start, and the share of what comes from behind that gets through.
+struct MediaLight {
+    real3 glow;
+    real3 passes;
+};
+
+/// Stretches of a ray that spots and cylinders light, ascending and disjoint; some of them empty.
+const uint MAX_LIT_STRETCHES = 16u;
+struct LitStretches {
+    uint count;
+    real enters[MAX_LIT_STRETCHES];
+    real leaves[MAX_LIT_STRETCHES];
+};
+
+/// Where a ray comes into a spot's cone or a cylinder light's cylinder and where it leaves, as far as it is in 0..end;
+/// both `end` where it doesn't come through.
+FN void light_boundaries(Light light, Ray ray, real end, OUT(real) enters, OUT(real) leaves) {
     real3 from_light = ray.origin - real3(light.place);
-    real along_ray = dot(ray.direction, real3(light.axis));
-    real along_origin = dot(from_light, real3(light.axis));
+    real along = dot(from_light, real3(light.axis));
+    real rate = dot(ray.direction, real3(light.axis));
     real a;
     real b;
     real c;
     if (light.kind == LIGHT_SPOT) {
         float c2 = light.dark * light.dark;
-        a = along_ray * along_ray - c2;
-        b = along_ray * along_origin - dot(ray.direction, from_light) * c2;
-        c = along_origin * along_origin - dot(from_light, from_light) * c2;
+        a = rate * rate - c2;
+        b = along * rate - dot(ray.direction, from_light) * c2;
+        c = along * along - dot(from_light, from_light) * c2;
     } else {
-        a = 1.0f - along_ray * along_ray;
-        b = dot(ray.direction, from_light) - along_ray * along_origin;
-        c = dot(from_light, from_light) - along_origin * along_origin - light.dark * light.dark;
+        a = rate * rate - 1.0f;
+        b = along * rate - dot(ray.direction, from_light);
+        c = along * along - dot(from_light, from_light) + light.dark * light.dark;
     }
+    // Inside where a t^2 + 2 b t + c > 0 and the point is ahead of the light.
     real discriminant = b * b - a * c;
-    mask crosses = mask_and(discriminant > real(0.0f), abs(a) > real(1e-12f));
+    mask crosses = discriminant > real(0.0f);
     real root = sqrt(max(discriminant, real(0.0f)));
-    real per_a = 1.0f / select(crosses, a, real(1.0f));
-    first = (-b - root) * per_a;
-    second = (root - b) * per_a;
-    // Only the half of the cone that lies before the light.
-    mask first_counts = mask_and(mask_and(crosses, along_origin + first * along_ray > real(0.0f)), first > real(0.0f));
-    mask second_counts =
-        mask_and(mask_and(crosses, along_origin + second * along_ray > real(0.0f)), second > real(0.0f));
-    first = select(first_counts, min(first, end), end);
-    second = select(second_counts, min(second, end), end);
+    real per_a = 1.0f / select(abs(a) > real(1e-12f), a, real(-1e-12f));
+    real t0 = (-b - root) * per_a;
+    real t1 = (root - b) * per_a;
+    real low = min(t0, t1);
+    real high = max(t0, t1);
+    mask low_ahead = along + rate * low > real(0.0f);
+    mask high_ahead = along + rate * high > real(0.0f);
+    // a < 0: inside between both; else beyond the one that is ahead.
+    mask between = a < real(0.0f);
+    enters = select(between, low, select(high_ahead, high, real(0.0f)));
+    leaves = select(between, high, select(high_ahead, end, low));
+    crosses = mask_and(crosses, mask_or(mask_not(between), mask_or(low_ahead, high_ahead)));
+    enters = select(crosses, min(max(enters, real(0.0f)), end), end);
+    leaves = select(crosses, min(max(leaves, real(0.0f)), end), end);
 }
 
-FN MediaBoundaries media_boundaries(SCENE Ray ray, real end, bool scatters) {
-    MediaBoundaries boundaries;
-    boundaries.count = 0u;
-    if (scatters) {
-        for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
-            Light light = AT(lights, i);
-            bool narrow = light.kind == LIGHT_CYLINDER || (light.kind == LIGHT_SPOT && light.dark > 0.0f);
-            if (!narrow || boundaries.count + 3u > MAX_MEDIA_BOUNDARIES) continue;
-            real first;
-            real second;
-            light_boundaries(light, ray, end, first, second);
-            boundaries.at[boundaries.count] = first;
-            boundaries.at[boundaries.count + 1u] = second;
-            boundaries.count = boundaries.count + 2u;
+/// As povray's pictures show, a ray is parted where nothing but spots and cylinders lights it; stretches that meet are
+/// one.
+FN LitStretches lit_stretches(SCENE MediaRay r, real end, mask here) {
+    LitStretches lit;
+    lit.count = 0u;
+    if (!r.group.scatters) return lit;
+    for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
+        Light light = AT(lights, i);
+        if ((light.flags & LIGHT_PASSES_MEDIA) != 0u) continue;
+        bool narrow = light.kind == LIGHT_CYLINDER || (light.kind == LIGHT_SPOT && light.dark > 0.0f);
+        if (!narrow || lit.count == MAX_LIT_STRETCHES) {
+            lit.count = 0u;
+            return lit;
         }
-    }
-    boundaries.at[boundaries.count] = end;
-    boundaries.count = boundaries.count + 1u;
-    for (uint i = 1u; i < boundaries.count; i = i + 1u) {
-        for (uint j = i; j > 0u; j = j - 1u) {
-            real low = min(boundaries.at[j - 1u], boundaries.at[j]);
-            boundaries.at[j] = max(boundaries.at[j - 1u], boundaries.at[j]);
-            boundaries.at[j - 1u] = low;
+        real enters;
+        real leaves;
+        light_boundaries(light, r.ray, end, enters, leaves);
+        if (!any_lane(mask_and(here, enters < leaves))) continue;
+        // Samples at the rims are inside, however they round.
+        real rim = min(leaves - enters, enters) * 1e-4f;
+        enters = enters + rim;
+        leaves = select(leaves < end, leaves - rim, leaves);
+        for (uint k = 0u; k < lit.count; k = k + 1u) {
+            mask before = enters < lit.enters[k];
+            real later_enters = select(before, lit.enters[k], enters);
+            real later_leaves = select(before, lit.leaves[k], leaves);
+            lit.enters[k] = select(before, enters, lit.enters[k]);
+            lit.leaves[k] = select(before, leaves, lit.leaves[k]);
+            enters = later_enters;
+            leaves = later_leaves;
         }
+        lit.enters[lit.count] = enters;
+        lit.leaves[lit.count] = leaves;
+        lit.count = lit.count + 1u;
     }
-    return boundaries;
+    for (uint k = 1u; k < lit.count; k = k + 1u) {
+        mask meet = lit.enters[k] <= lit.leaves[k - 1u];
+        lit.enters[k] = select(meet, lit.enters[k - 1u], lit.enters[k]);
+        lit.leaves[k] = select(meet, max(lit.leaves[k - 1u], lit.leaves[k]), lit.leaves[k]);
+        lit.leaves[k - 1u] = select(meet, lit.enters[k - 1u], lit.leaves[k - 1u]);
+    }
+    return lit;
+}
+
+/// Where what is behind a lit stretch begins: outside of it, however that rounds.
+FN real beyond(LitStretches lit, uint k, real reach) {
+    return min(lit.leaves[k] + (lit.leaves[k] - lit.enters[k]) * 2e-4f, reach);
+}
+
+/// How many of a ray's intervals are in each stretch that is lit, and in each other one, by the medium's `ratio`: the
+/// numbers that povray's pictures show where there is one lit stretch.
+FN void share_intervals(LitStretches lit, real reach, float ratio, INOUT(real) of_dark, OUT(real) of_lit) {
+    real one = real(1.0f);
+    real none = real(0.0f);
+    real lit_count = none;
+    real dark_count = none;
+    real passed = none;
+    for (uint k = 0u; k < lit.count; k = k + 1u) {
+        mask crosses = lit.enters[k] < lit.leaves[k];
+        lit_count = lit_count + select(crosses, one, none);
+        dark_count = dark_count + select(mask_and(crosses, passed < lit.enters[k]), one, none);
+        passed = select(crosses, beyond(lit, k, reach), passed);
+    }
+    dark_count = dark_count + select(passed < reach, one, none);
+    real shared = of_dark - dark_count;
+    of_lit = max(-floor(shared * -ratio / max(lit_count, one)), one);
+    of_dark = select(lit_count > none, max(-floor(shared * (ratio - 1.0f)), one), of_dark);
 }
 
 /// All media at a point of a ray, with the light that they scatter along it.
-FN_LARGE MediaPoint lit_media_at(SCENE Ray ray, real t, MediaInsides insides, bool atmosphere, mask active,
-                                 INOUT(RayCounts) counts) {
-    real3 p = point_at(ray, t);
+FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(RayCounts) counts) {
+    real3 p = point_at(r.ray, t);
     Scatterers scatterers;
-    MediaPoint point = media_at(SCENE_ p, insides, atmosphere, active, scatterers);
+    MediaPoint point = media_at(SCENE_ r.group, p, scatterers);
     if (scatterers.count == 0u) return point;
-    mask scatters = mask_and(active, mask_not(active));
-    for (uint k = 0u; k < scatterers.count; k = k + 1u) {
-        real3 c = abs(scatterers.color[k]);
-        scatters = mask_or(scatters, max(c.x, max(c.y, c.z)) > real(0.0f));
-    }
+    real most = real(0.0f);
+    for (uint k = 0u; k < scatterers.count; k = k + 1u) most = max(most, largest(abs(scatterers.color[k])));
+    mask scatters = mask_and(active, most > real(0.0f));
     if (!any_lane(scatters)) return point;
     real3 black = real3(real(0.0f));
     for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
@@ -98,14 +159,14 @@ FN_LARGE MediaPoint lit_media_at(SCENE Ray ray, real t, MediaInsides insides, bo
         real3 to_light = direction_to_light(light, p, distance);
         real3 color = real3(light.color);
         if (FEATURE(FEATURE_LIGHT_SHAPES)) color = color * light_share(light, p, to_light, distance);
-        mask lit = mask_and(scatters, max(color.x, max(color.y, color.z)) > real(0.0f));
+        mask lit = mask_and(scatters, largest(color) > real(0.0f));
         if (!any_lane(lit)) continue;
         if (FEATURE(FEATURE_SHADOWS)) {
             if ((light.flags & LIGHT_SHADOWS) != 0u)
-                color = color * light_visibility(SCENE_ light, p, to_light, distance, insides, lit, counts);
+                color = color * light_visibility(SCENE_ light, p, to_light, distance, r.insides, lit, counts);
         }
         color = select(lit, color, black);
-        real cosine = dot(ray.direction, to_light);
+        real cosine = dot(r.ray.direction, to_light);
         for (uint k = 0u; k < scatterers.count; k = k + 1u) {
             real phase = phase_function(scatterers.type[k], cosine, scatterers.eccentricity[k]);
             point.glow = point.glow + scatterers.color[k] * color * phase;
@@ -114,85 +175,218 @@ FN_LARGE MediaPoint lit_media_at(SCENE Ray ray, real t, MediaInsides insides, bo
     return point;
 }
 
-/// The mean over a step of a ray, halved where what its ends say differs.
-FN MediaPoint mean_over_step(SCENE Ray ray, real start, real width, MediaPoint left, MediaPoint right, real3 weight,
-                             MediaSampling sampling, MediaInsides insides, bool atmosphere, mask active,
-                             INOUT(RayCounts) counts) {
-    MediaPoint ends[MAX_HALVINGS + 1u];
-    float places[MAX_HALVINGS + 1u];
-    uint top = 0u;
-    ends[0] = right;
-    places[0] = 1.0f;
-    float place = 0.0f;
-    MediaPoint sum;
-    sum.extinction = real3(real(0.0f));
-    sum.glow = real3(real(0.0f));
-    while (true) {
-        float part = places[top] - place;
-        real3 glow_error = abs((ends[top].glow - left.glow) * weight) * (width * part);
-        real3 extinction_error = abs((ends[top].extinction - left.extinction) * weight) * (width * part);
-        real error = max(max(glow_error.x, max(glow_error.y, glow_error.z)),
-                         max(extinction_error.x, max(extinction_error.y, extinction_error.z)));
-        if (top < sampling.halvings && any_lane(mask_and(active, error > real(sampling.threshold)))) {
-            float middle = 0.5f * (place + places[top]);
-            top = top + 1u;
-            places[top] = middle;
-            ends[top] = lit_media_at(SCENE_ ray, start + width * middle, insides, atmosphere, active, counts);
-        } else {
-            sum.extinction = sum.extinction + (left.extinction + ends[top].extinction) * real(0.5f * part);
-            sum.glow = sum.glow + (left.glow + ends[top].glow) * real(0.5f * part);
-            left = ends[top];
-            place = places[top];
-            if (top == 0u) return sum;
-            top = top - 1u;
-        }
+/// True where the light of two samples differs by more than a threshold.
+FN mask differ(MediaPoint a, MediaPoint b, float threshold) {
+    real3 d = abs(a.glow - b.glow);
+    return d.x + d.y + d.z > real(threshold);
+}
+
+/// How far a sample is moved off its place, from -1/2 to 1/2 of the way to the next one, times the medium's jitter: by
+/// the ray alone.
+FN real media_jitter(Ray ray, word number, float amount) {
+    return (random_by_direction(ray.direction, number) - 0.5f) * amount;
+}
+
+/// Adds a step of length dt: dimmed by what came before it alone, as povray's pictures show.
+FN void add_step(MediaPoint mean, real dt, mask here, INOUT(MediaLight) out) {
+    out.glow = select(here, out.glow + out.passes * mean.glow * dt, out.glow);
+    out.passes = select(here, out.passes * dimmed_by(mean.extinction * dt), out.passes);
+}
+
+/// Methods 1 and 2: the middles of even steps, or places about them. As povray's pictures show, a sample's light is
+/// dimmed from the interval's begin on by what is at the sample itself.
+FN void march_evenly(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) out,
+                     INOUT(RayCounts) counts) {
+    uint samples = AT(code, r.group.first + 14u);
+    float jitter = AT(code, r.group.first + 15u) == 1u ? 1.0f : code_float(SCENE_ r.group.first + 19u);
+    real dt = len * (1.0f / float(samples));
+    real3 depth = real3(real(0.0f));
+    real3 glow = depth;
+    for (uint i = 0u; i < samples; i = i + 1u) {
+        real at = real(float(i) + 0.5f);
+        if (jitter > 0.0f) at = at + media_jitter(r.ray, word(number * 256u + i), jitter);
+        MediaPoint point = lit_media_at(SCENE_ r, begin + dt * at, here, counts);
+        glow = glow + dimmed_by(point.extinction * (dt * at)) * point.glow * dt;
+        depth = depth + point.extinction * dt;
     }
-    return sum;
+    out.glow = select(here, out.glow + out.passes * glow, out.glow);
+    out.passes = select(here, out.passes * dimmed_by(depth), out.passes);
+}
+
+/// A sample that ends a part of a step: its light, its place, and the part's share of the step; 0 where it has been
+/// counted already.
+struct MediaPart {
+    MediaPoint point;
+    real t;
+    real share;
+};
+
+FN MediaPoint chosen(mask m, MediaPoint a, MediaPoint b) {
+    MediaPoint point;
+    point.extinction = select(m, a.extinction, b.extinction);
+    point.glow = select(m, a.glow, b.glow);
+    return point;
+}
+
+FN void set_part(INOUT(MediaPart) part, mask m, MediaPart to) {
+    part.point = chosen(m, to.point, part.point);
+    part.t = select(m, to.t, part.t);
+    part.share = select(m, to.share, part.share);
+}
+
+FN void add_share(INOUT(MediaPoint) sum, MediaPoint point, real share) {
+    sum.extinction = sum.extinction + point.extinction * share;
+    sum.glow = sum.glow + point.glow * share;
+}
+
+/// Method 3: samples at the ends of steps and in their middles; where a half's ends differ, it is halved again. Each
+/// lane goes through its own tree of halves, so that all sample something as long as they have anything to sample.
+FN void march_adaptively(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) out,
+                         INOUT(RayCounts) counts) {
+    uint samples = AT(code, r.group.first + 14u);
+    uint levels = AT(code, r.group.first + 16u);
+    float threshold = code_float(SCENE_ r.group.first + 17u);
+    float jitter = code_float(SCENE_ r.group.first + 19u);
+    float finest = 1.0f / float(1u << (levels - 1u));  // The share of a step that isn't halved further.
+    real dt = len * (1.0f / float(samples - 1u));
+    real3 black = real3(real(0.0f));
+    MediaPoint nothing;
+    nothing.extinction = black;
+    nothing.glow = black;
+    MediaPart ends[MAX_HALVINGS];  // Ends of the parts that a lane is in, the innermost last.
+    for (uint d = 0u; d < levels; d = d + 1u) {
+        ends[d].point = nothing;
+        ends[d].t = begin;
+        ends[d].share = real(0.0f);
+    }
+    word depth = word(0u);  // How many of them; 0: the step's end is to be sampled yet.
+    word index = word(0u);  // The step.
+    MediaPart left = ends[0];
+    MediaPart right = ends[0];
+    MediaPoint sum = nothing;
+    mask todo = here;
+    while (any_lane(todo)) {
+        mask coarse = depth == word(0u);
+        real at = real_from_word(index);
+        if (jitter > 0.0f) at = at + media_jitter(r.ray, index + word(number * 256u), jitter) + 0.5f * jitter;
+        MediaPart middle;
+        middle.t = select(coarse, begin + len * ((1.0f / float(samples)) * at), (left.t + right.t) * 0.5f);
+        middle.point = lit_media_at(SCENE_ r, middle.t, todo, counts);
+        middle.share = select(coarse, real(1.0f), right.share * 0.5f);
+
+        // The whole part is done where neither half is to be halved.
+        mask splits = mask_and(todo, mask_not(coarse));
+        mask may_split = mask_and(splits, right.share > real(finest));
+        mask near = mask_and(may_split, differ(left.point, middle.point, threshold));
+        mask far = mask_and(may_split, differ(middle.point, right.point, threshold));
+        mask whole = mask_and(splits, mask_not(mask_or(near, far)));
+        real third = select(whole, right.share * 0.333333333f, real(0.0f));
+        add_share(sum, left.point, third);
+        add_share(sum, middle.point, third);
+        add_share(sum, right.point, third);
+        real near_half = select(mask_and(far, mask_not(near)), middle.share * 0.5f, real(0.0f));
+        add_share(sum, left.point, near_half);
+        add_share(sum, middle.point, near_half);
+        real far_half = select(mask_and(near, mask_not(far)), middle.share * 0.5f, real(0.0f));
+        add_share(sum, middle.point, far_half);
+        add_share(sum, right.point, far_half);
+
+        // On with the near half, the far one, or what comes after the part; a step's end opens a part.
+        MediaPart rest = right;
+        rest.share = select(far, middle.share, real(0.0f));
+        mask opens = mask_or(near, mask_and(todo, mask_and(coarse, word(0u) < index)));
+        mask moves = mask_and(far, mask_not(near));
+        for (uint d = 0u; d < levels; d = d + 1u) {
+            set_part(ends[d], mask_and(near, depth == word(d + 1u)), rest);
+            set_part(ends[d], mask_and(moves, depth == word(d + 1u)), rest);
+            set_part(ends[d], mask_and(opens, depth == word(d)), middle);
+        }
+        depth = depth + select(opens, word(1u), word(0u));
+        set_part(left, mask_or(moves, mask_and(coarse, index == word(0u))), middle);
+        set_part(right, moves, rest);
+        index = index + select(mask_and(todo, mask_and(coarse, index == word(0u))), word(1u), word(0u));
+        mask ended = whole;
+        while (any_lane(ended)) {
+            set_part(left, ended, right);
+            depth = depth - select(ended, word(1u), word(0u));
+            mask step_ended = mask_and(ended, depth == word(0u));
+            if (any_lane(step_ended)) {
+                add_step(sum, dt, step_ended, out);
+                sum = chosen(step_ended, nothing, sum);
+                index = index + select(step_ended, word(1u), word(0u));
+            }
+            for (uint d = 0u; d < levels; d = d + 1u) set_part(right, mask_and(ended, depth == word(d + 1u)), ends[d]);
+            ended = mask_and(mask_and(ended, mask_not(step_ended)), right.share <= real(0.0f));
+        }
+        for (uint d = 0u; d < levels; d = d + 1u) set_part(right, mask_and(opens, depth == word(d + 1u)), ends[d]);
+        todo = mask_and(todo, index < word(samples));
+    }
+}
+
+/// Steps of method 3 through what is the same everywhere and scatters nothing.
+FN void march_uniformly(SCENE MediaRay r, real len, mask here, INOUT(MediaLight) out) {
+    Scatterers scatterers;
+    MediaPoint point = media_at(SCENE_ r.group, r.ray.origin, scatterers);
+    uint steps = AT(code, r.group.first + 14u) - 1u;
+    real dt = len * (1.0f / float(steps));
+    for (uint i = 0u; i < steps; i = i + 1u) add_step(point, dt, here, out);
+}
+
+/// From `begin` to `end` of a ray in a number of intervals; `seed` tells stretches of a ray apart.
+FN_LARGE void march_media(SCENE MediaRay r, real begin, real end, real intervals, uint seed, mask here,
+                          INOUT(MediaLight) out, INOUT(RayCounts) counts) {
+    mask todo = mask_and(here, begin < end);
+    real len = (end - begin) / intervals;
+    uint i = 0u;
+    while (any_lane(todo)) {
+        real from = begin + len * float(i);
+        uint number = seed + i * 64u;
+        if (AT(code, r.group.first + 15u) != 3u) march_evenly(SCENE_ r, from, len, number, todo, out, counts);
+        else if (!r.group.varies && !r.group.scatters) march_uniformly(SCENE_ r, len, todo, out);
+        else march_adaptively(SCENE_ r, from, len, number, todo, out, counts);
+        i = i + 1u;
+        todo = mask_and(todo, real(float(i)) < intervals);
+    }
 }
 
 /// Radiance that media add along a ray up to `distance`, for a ray that carries `weight`; dims the weight by what they
-/// take away. A step counts its light as seen from its start, whole, as pictures of povray show it: media of some depth
-/// are brighter than they ought to be, the more so the fewer steps there are.
+/// take away.
 FN_LARGE real3 media_radiance(SCENE Ray ray, real distance, MediaInsides insides, mask alive, INOUT(real3) weight,
                               INOUT(RayCounts) counts) {
-    real3 black = real3(real(0.0f));
-    bool atmosphere = FRAME.atmosphere != NONE;
-    mask active = in_media(insides, atmosphere, alive);
-    if (!any_lane(active)) return black;
-    MediaSampling sampling = media_sampling(SCENE_ insides, atmosphere, active);
-    real end = min(select(active, distance, real(0.0f)), real(MEDIA_FAR));
-    MediaBoundaries boundaries = media_boundaries(SCENE_ ray, end, sampling.scatters);
-    bool uniform = !sampling.varies && !sampling.scatters;
-    real3 sum = black;
-    real start = real(0.0f);
-    MediaPoint left = lit_media_at(SCENE_ ray, start, insides, atmosphere, active, counts);
-    for (uint piece = 0u; piece < boundaries.count; piece = piece + 1u) {
-        real width = (boundaries.at[piece] - start) * (1.0f / float(sampling.steps));
-        if (!any_lane(mask_and(active, width > real(0.0f)))) continue;
-        for (uint i = 0u; i < sampling.steps; i = i + 1u) {
-            MediaPoint mean = left;
-            if (!uniform) {
-                MediaPoint right =
-                    lit_media_at(SCENE_ ray, start + width * float(i + 1u), insides, atmosphere, active, counts);
-                mean = mean_over_step(SCENE_ ray, start + width * float(i), width, left, right, weight, sampling,
-                                      insides, atmosphere, active, counts);
-                left = right;
-            }
-            real3 depth = mean.extinction * width;
-            real3 passes = dimmed_by(depth);
-            real3 light = mean.glow * width;
-            if (sampling.exact_steps) {
-                // The mean of e^-x over the step.
-                real3 thin = real3(real(1.0f)) - depth * real(0.5f);
-                real3 one = real3(real(1.0f));
-                light.x = light.x * select(abs(depth.x) < real(1e-3f), thin.x, (one.x - passes.x) / depth.x);
-                light.y = light.y * select(abs(depth.y) < real(1e-3f), thin.y, (one.y - passes.y) / depth.y);
-                light.z = light.z * select(abs(depth.z) < real(1e-3f), thin.z, (one.z - passes.z) / depth.z);
-            }
-            sum = sum + select(active, weight * light, black);
-            weight = select(active, weight * passes, weight);
+    real3 sum = real3(real(0.0f));
+    mask todo = alive;
+    while (any_lane(todo)) {
+        MediaRay r;
+        r.ray = ray;
+        r.insides = insides;
+        mask here = take_alike(SCENE_ insides, FRAME.atmosphere != NONE, todo, r.group);
+        if (r.group.count == 0u) continue;
+        real reach = select(here, min(distance, real(FOG_FAR)), real(0.0f));
+        if (!r.group.emits && !r.group.scatters) {
+            weight = select(here, weight * dimmed_by(media_depth(SCENE_ r.group, ray, reach)), weight);
+            continue;
         }
-        start = boundaries.at[piece];
+        LitStretches lit = lit_stretches(SCENE_ r, reach, here);
+        // What is the same everywhere is one interval, as in povray.
+        bool uniform = !r.group.varies && !r.group.scatters;
+        real intervals = real(uniform ? 1.0f : float(AT(code, r.group.first + 18u)));
+        real lit_intervals = intervals;
+        if (lit.count > 0u && AT(code, r.group.first + 18u) > 1u)
+            share_intervals(lit, reach, code_float(SCENE_ r.group.first + 20u), intervals, lit_intervals);
+        MediaLight light;
+        light.glow = real3(real(0.0f));
+        light.passes = real3(real(1.0f));
+        real passed = real(0.0f);
+        for (uint k = 0u; k < lit.count; k = k + 1u) {
+            mask crosses = mask_and(here, lit.enters[k] < lit.leaves[k]);
+            if (!any_lane(crosses)) continue;
+            march_media(SCENE_ r, passed, lit.enters[k], intervals, 4u * k, crosses, light, counts);
+            march_media(SCENE_ r, lit.enters[k], lit.leaves[k], lit_intervals, 4u * k + 2u, crosses, light, counts);
+            passed = select(crosses, beyond(lit, k, reach), passed);
+        }
+        march_media(SCENE_ r, passed, reach, intervals, 4u * lit.count, here, light, counts);
+        sum = select(here, sum + weight * light.glow, sum);
+        weight = select(here, weight * light.passes, weight);
     }
     return sum;
 }

@@ -12,6 +12,7 @@
 #define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 
 #include "kernel/atmosphere/fog.h"
+#include "kernel/atmosphere/rainbow.h"
 #include "kernel/atmosphere/sky.h"
 #include "kernel/lights/light.h"
 #include "kernel/lights/shadow.h"
@@ -202,6 +203,15 @@ FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(
                 real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), dimmed);
                 radiance = radiance + select(in_fog, glow, black);
                 path.weight = select(in_fog, dimmed, path.weight);
+            }
+            if (FRAME.rainbows != NONE) {
+                mask in_air = path.alive;
+                if (FEATURE(FEATURE_HOLLOW)) in_air = mask_and(in_air, mask_not(in_solid(path.media)));
+                real3 dimmed = path.weight;
+                real reach = select(found, hit.t, real(3.0e38f));
+                real3 glow = rainbow_radiance(SCENE_ FRAME.rainbows, path.ray, reach, dimmed);
+                radiance = radiance + select(in_air, glow, black);
+                path.weight = select(in_air, dimmed, path.weight);
             }
             if (any_lane(missed)) {
                 radiance = radiance + select(missed, path.weight * sky_radiance(SCENE_ path.ray.direction), black);

@@ -28,26 +28,30 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
     counts.shadow_rays = counts.shadow_rays + one;
     bool attenuated = (light_flags & LIGHT_ATTENUATED) != 0u;
     bool in_fog = FEATURE(FEATURE_ATMOSPHERE) && FRAME.fog_count > 0u && attenuated;
-    if (!FEATURE(FEATURE_TRANSPARENT | FEATURE_MEDIA) && !in_fog) {
+    bool in_air = FEATURE(FEATURE_MEDIA) && FRAME.atmosphere != NONE && attenuated;
+    if (!FEATURE(FEATURE_TRANSPARENT) && !in_fog && !in_air) {
         mask blocked = trace_any(SCENE_ ray, alive, word(RAY_SHADOW));
         return select(blocked, real3(real(0.0f)), real3(real(1.0f)));
     }
     real3 transmittance = real3(real(1.0f));
     for (uint surface = 0u; surface < MAX_SHADOW_SURFACES; surface = surface + 1u) {
         Hit hit = trace_closest(SCENE_ ray, alive, word(RAY_SHADOW), true);
-        real way = select(hit.geometry != word(NONE), hit.t, ray.t_max);
+        mask found = mask_and(alive, hit.geometry != word(NONE));
+        real way = select(found, hit.t, ray.t_max);
         if (in_fog) {
             real3 dimmed = transmittance;
             fog_radiance(SCENE_ ray, way, dimmed);
             transmittance = select(mask_and(alive, mask_not(in_solid(insides))), dimmed, transmittance);
         }
 #ifdef __cplusplus
-        if (FEATURE(FEATURE_MEDIA)) {
-            real3 passes = media_transmittance(SCENE_ ray, way, insides, attenuated, alive);
-            transmittance = select(alive, transmittance * passes, transmittance);
+        // As in povray, what is in an object dims light where that leaves it: not the light of a lamp inside.
+        mask open = mask_and(alive, mask_not(found));
+        if (in_air && any_lane(open)) {
+            real3 passes = media_transmittance(SCENE_ ray, way, solids_alone(insides), true, open);
+            transmittance = select(open, transmittance * passes, transmittance);
         }
 #endif
-        alive = mask_and(alive, hit.geometry != word(NONE));
+        alive = found;
         if (!any_lane(alive)) return transmittance;
         // Most of what stands in the way is opaque: that is told from the material alone.
         word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
@@ -65,6 +69,10 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
             passes =
                 lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);
         }
+#ifdef __cplusplus
+        if (FEATURE(FEATURE_MEDIA))
+            passes = passes * media_transmittance(SCENE_ ray, hit.t, insides, attenuated, alive);
+#endif
         transmittance = select(alive, transmittance * passes, transmittance);
         alive = mask_and(alive, max(transmittance.x, max(transmittance.y, transmittance.z)) > real(0.0f));
         if (!any_lane(alive)) return transmittance;

@@ -23,6 +23,12 @@ FN word hash_word(word x) {
 /// Bits 0..9 of a word as a number in [-1, 1].
 FN real signed_unit(word bits) { return real_from_word(bits & word(1023u)) * 0.00195503421f - 1.0f; }
 
+/// A random number in [0, 1) by a direction and a number, so that pictures don't depend on threads.
+FN real random_by_direction(real3 direction, word number) {
+    word bits = hash_word(as_word(direction.x) + hash_word(as_word(direction.y) + number));
+    return real_from_word(bits >> 8u) * (1.0f / 16777216.0f);
+}
+
 /// The hash of a lattice point.
 FN word lattice_hash(word x, word y, word z) { return hash_word(hash_word(hash_word(z) + y) + x); }
 
@@ -104,6 +110,17 @@ FN real turbulence_scalar(real3 p, uint octaves, float lambda, float omega, uint
         weight = weight * omega;
     }
     return sum;
+}
+
+/// And each noise as it is, from 0 up.
+FN real turbulence_sum(real3 p, uint octaves, float lambda, float omega, uint generator) {
+    float weight = 1.0f;
+    float weights = 0.0f;
+    for (uint i = 0u; i < octaves; i = i + 1u) {
+        weights = weights + weight;
+        weight = weight * omega;
+    }
+    return turbulence_scalar(p, octaves, lambda, omega, generator) + 0.5f * weights;
 }
 
 /// Sum of `octaves` folded noises, from frequency `first` on by doubling and halving: sharp creases.
