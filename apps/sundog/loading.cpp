@@ -9,7 +9,7 @@ namespace sundog::app {
 
 std::filesystem::path scene_file_or_config(const std::string& named) {
     if (!named.empty()) return named;
-    const std::filesystem::path config = "raytracer.conf";
+    std::filesystem::path config = "raytracer.conf";
     std::error_code ignored;
     if (!std::filesystem::exists(config, ignored))
         throw UsageError("no scene was named, and the working folder holds no raytracer.conf",

@@ -49,7 +49,7 @@ std::optional<fs::path> resolved_target(const fs::path& file) {
             parent = current;
             name.clear();
         }
-        const std::optional<fs::path> folder = resolved_folder(parent);
+        std::optional<fs::path> folder = resolved_folder(parent);
         if (!folder || name.empty()) return folder;
         current = *folder / name;
         std::error_code error;

@@ -28,7 +28,7 @@ public:
     }
     /// Writes a file (its folder too) and returns its path.
     std::filesystem::path write(const std::string& name, std::string_view bytes) const {
-        const std::filesystem::path file = path_ / name;
+        std::filesystem::path file = path_ / name;
         if (file.parent_path() != path_) std::filesystem::create_directories(file.parent_path());
         std::ofstream(file, std::ios::binary) << bytes;
         return file;

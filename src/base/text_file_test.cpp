@@ -20,7 +20,7 @@ protected:
     ~TextFile() override { std::filesystem::remove_all(folder_); }
 
     [[nodiscard]] std::filesystem::path write(std::string_view bytes) const {
-        const std::filesystem::path file = folder_ / "file.txt";
+        std::filesystem::path file = folder_ / "file.txt";
         std::ofstream(file, std::ios::binary) << bytes;
         return file;
     }

@@ -6,8 +6,8 @@
 
 #include "compile/compile.h"
 #include "compile/convert.h"
+#include "compile/insides_at.h"
 #include "compile/lights.h"
-#include "compile/media_insides.h"
 
 namespace sundog {
 namespace {

@@ -107,7 +107,7 @@ private:
         return static_cast<float>(found) + (width > 0 ? std::clamp((wanted - before) / width, 0.0F, 1.0F) : 0.5F);
     }
     std::array<float, kSide> up_to_row_{};
-    std::array<float, kSide * kSide> up_to_column_{};
+    std::array<float, std::size_t{kSide} * kSide> up_to_column_{};
 };
 
 /// How far from the mean a share `p` of a normal distribution lies below.

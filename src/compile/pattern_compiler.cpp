@@ -176,7 +176,8 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
     // Surfaces that share one interior must have the same list: rays leave it by any of them.
     std::string key;
     const scene::Medium* const first = media.data();
-    key.append(reinterpret_cast<const char*>(&first), sizeof(first));
+    key.append(reinterpret_cast<const char*>(&first),
+               sizeof(first));  // NOLINT(bugprone-sizeof-expression): its address
     key.append(reinterpret_cast<const char*>(&medium_from_world), sizeof(medium_from_world));
     const auto [known, is_new] = media_.try_emplace(std::move(key), kernel::NONE);
     if (!is_new) return known->second;

@@ -81,7 +81,8 @@ struct DoubleMath {
     static double select_negative(double a, double b, double c) { return a < 0 ? b : c; }
     static double select_zero(double a, double b, double c) { return a == 0 ? b : c; }
     double noise(std::uint32_t generator, double x, double y, double z) const {
-        return noise_at(*cells, {x, y, z}, generator);
+        return noise_at(*cells, {x, y, z},
+                        generator);  // NOLINT(clang-analyzer-core.NonNullParamChecker): set where asked
     }
     static double spline(const scene::FunctionSpline& spline, double at, std::uint8_t component) {
         const double t = at > spline.last ? spline.last : at > spline.first ? at : spline.first;

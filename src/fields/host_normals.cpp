@@ -41,7 +41,8 @@ StrewnPoint nearest_strewn(Vec3d p) {
     StrewnPoint best;
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 27; ++i) {
-        const Vec3d cell = home + Vec3d{i % 3 - 1.0, i / 3 % 3 - 1.0, i / 9 - 1.0};
+        const int plane = i / 9;
+        const Vec3d cell = home + Vec3d{i % 3 - 1.0, i / 3 % 3 - 1.0, plane - 1.0};
         const std::uint32_t hash = kernel::cell_hash(to_kernel_vec(cell), 0x17U);
         const Vec3d jitter{random_part(hash), random_part(hash >> 10U), random_part(hash >> 20U)};
         const Vec3d place = cell + jitter * 0.5 + Vec3d{0.5, 0.5, 0.5};

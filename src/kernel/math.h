@@ -84,6 +84,9 @@ FN real sine(real x) {
     return select(odd > real(0.5f), -s, s);
 }
 
+/// The largest of three numbers.
+FN real largest(real3 v) { return max(v.x, max(v.y, v.z)); }
+
 /// POV-Ray's grey of a colour: weights of red, green and blue as its pictures show them.
 FN real gray_of(real3 color) { return color.x * 0.297f + color.y * 0.589f + color.z * 0.114f; }
 

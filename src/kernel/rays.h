@@ -3,7 +3,7 @@
 #ifndef SUNDOG_KERNEL_RAYS_H
 #define SUNDOG_KERNEL_RAYS_H
 
-#include "kernel/compat/compat.h"
+#include "kernel/math.h"
 
 KERNEL_BEGIN
 
@@ -31,12 +31,15 @@ struct RayCounts {
     word shadow_rays;  ///< Shadow rays among them.
 };
 
+/// How far rays that hit nothing go through fog and media, as in povray.
+const float RAY_FAR = 2.0e10f;
+
 /// How far a point origin + t*direction may lie off the surface it was found on. Rounding of t and of the sum are a few
 /// units in the last place of the largest number involved; 64 of them (2^-18 relative) leave room for long thin
 /// triangles.
 FN real hit_error(real3 origin, real3 point, real t) {
     real3 a = max(abs(origin), abs(point));
-    return max(max(a.x, max(a.y, a.z)), t) * 3.8146973e-6f;
+    return max(largest(a), t) * 3.8146973e-6f;
 }
 
 /// Position on a ray.

@@ -60,6 +60,7 @@ Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel);
 /// The palette's numbers; nothing if there is no palette.
 std::optional<IndexedImage> decode_png_indices(Bytes bytes);
 IndexedImage decode_gif_indices(Bytes bytes);
+bool png_tells_encoding(Bytes bytes);
 std::string encode_jpeg(const Image& image, const Encoding& encoding);
 Decoded decode_jpeg(Bytes bytes, std::size_t bytes_per_pixel);
 std::string encode_exr(const Image& image, const std::vector<Layer>& layers);

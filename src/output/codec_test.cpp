@@ -140,6 +140,9 @@ TEST(Codec, ReadsNumbersOfPalettes) {
     EXPECT_EQ(decode_gif_indices(bytes_of(gif)).indices, expected);
     EXPECT_EQ(decode_png_indices(bytes_of(png)).value().indices, expected);
     EXPECT_FALSE(decode_png_indices(bytes_of(from_hex(kDeepPng.hex))));
+    EXPECT_FALSE(png_tells_encoding(bytes_of(png)));
+    const std::string written = encode_png(Image(1, 1), {});
+    EXPECT_TRUE(png_tells_encoding(bytes_of(written)));
     for (std::size_t size = 0; size + 4 < gif.size(); ++size)
         EXPECT_THROW(decode_gif_indices(bytes_of(gif.substr(0, size))), DecodeError) << size;
     for (std::size_t i = 0; i < gif.size(); ++i) {

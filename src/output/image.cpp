@@ -197,6 +197,10 @@ Rgba8 read_rgba8(const fs::path& file) {
     return texture;
 }
 
+bool tells_encoding(const fs::path& file) {
+    return read_and(file, [](Bytes bytes) { return starts_with(bytes, kPngMagic) && png_tells_encoding(bytes); });
+}
+
 std::optional<IndexedImage> read_indices(const fs::path& file) {
     return read_and(file, [](Bytes bytes) -> std::optional<IndexedImage> {
         if (starts_with(bytes, kPngMagic)) return decode_png_indices(bytes);

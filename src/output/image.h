@@ -83,6 +83,10 @@ struct Rgba8 {
 /// Errors: as read_image.
 Rgba8 read_rgba8(const std::filesystem::path& file);
 
+/// Whether a PNG file says how its numbers are encoded, in a gAMA or sRGB chunk; false for other files.
+/// Errors: InputError for one that can't be read or is damaged.
+bool tells_encoding(const std::filesystem::path& file);
+
 /// Writes `bytes` to a new file beside `file`, then renames it over `file` (over what it points to, if it is a symbolic
 /// link). Special files are written to directly. Errors: OutputError; a regular `file` then stays as it was.
 void write_file_atomically(const std::filesystem::path& file, std::string_view bytes);

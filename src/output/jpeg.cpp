@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostScans = 200;
 // A block of 8x8 pixels takes at least one bit of Huffman code in some component.
-constexpr std::uint64_t kMostPixelsPerByte = 64 * 8;
+constexpr std::uint64_t kMostPixelsPerByte = 512;
 
 struct ErrorManager {
     jpeg_error_mgr manager{};  // First, as libjpeg hands out pointers to it.

@@ -215,6 +215,13 @@ Decoded decode_png(Bytes bytes, std::size_t bytes_per_pixel) {
     return decoded;
 }
 
+bool png_tells_encoding(Bytes bytes) {
+    Reader reader(bytes);
+    if (reader.info == nullptr) throw std::bad_alloc();
+    require(read_header(reader), reader);
+    return png_get_valid(reader.png, reader.info, PNG_INFO_gAMA | PNG_INFO_sRGB) != 0;
+}
+
 std::optional<IndexedImage> decode_png_indices(Bytes bytes) {
     Reader reader(bytes);
     if (reader.info == nullptr) throw std::bad_alloc();

@@ -57,13 +57,9 @@ Arguments coding_arguments(const std::string& ending) {
         arguments.insert(arguments.end(), bt709.begin(), bt709.end());
         arguments.insert(arguments.end(), {"-f", "webm"});
     } else {
-        arguments = {"-filter_complex",
-                     "split[frames][sample];[sample]palettegen=stats_mode=full[palette];"
-                     "[frames][palette]paletteuse=dither=sierra2_4a:diff_mode=rectangle",
-                     "-loop",
-                     "0",
-                     "-f",
-                     "gif"};
+        const std::string filter = std::string("split[frames][sample];[sample]palettegen=stats_mode=full[palette];") +
+                                   "[frames][palette]paletteuse=dither=sierra2_4a:diff_mode=rectangle";
+        arguments = {"-filter_complex", filter, "-loop", "0", "-f", "gif"};
     }
     return arguments;
 }
@@ -109,7 +105,7 @@ std::string last_lines(std::FILE* messages) {
 }
 
 struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
+    void operator()(std::FILE* file) const { std::fclose(file); }  // NOLINT(cppcoreguidelines-owning-memory)
 };
 
 }  // namespace
@@ -139,7 +135,7 @@ struct VideoWriter::Impl {
         for (std::string& argument : coding_arguments(ending)) arguments.push_back(std::move(argument));
         // With the protocol's name, no file name can be taken for an option or another protocol.
         arguments.push_back("file:" + replacement.path().string());
-        messages.reset(std::tmpfile());
+        messages.reset(std::tmpfile());  // NOLINT(cppcoreguidelines-owning-memory)
         // A socket, as writing to one whose reader has gone can fail without raising SIGPIPE.
         std::array<int, 2> ends{-1, -1};
         if (messages == nullptr || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)

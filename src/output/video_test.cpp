@@ -54,12 +54,16 @@ std::string error_of(const std::function<void()>& action) {
 /// Sets PATH while it lives.
 class Path {
 public:
-    explicit Path(const std::string& value) : before_(std::getenv("PATH")) { ::setenv("PATH", value.c_str(), 1); }
+    explicit Path(const std::string& value) : before_(old_path()) { ::setenv("PATH", value.c_str(), 1); }
     ~Path() { ::setenv("PATH", before_.c_str(), 1); }
     Path(const Path&) = delete;
     Path& operator=(const Path&) = delete;
 
 private:
+    static std::string old_path() {
+        const char* path = std::getenv("PATH");
+        return path != nullptr ? path : "";
+    }
     std::string before_;
 };
 

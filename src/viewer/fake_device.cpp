@@ -22,7 +22,7 @@ ViewRequest fake_request(std::shared_ptr<const LoadedScene> scene, float eye_x, 
 }
 
 DeviceOpener fake_opener(std::shared_ptr<FakeDeviceControl> control) {
-    return [control](const std::string& choice) -> std::unique_ptr<Device> {
+    return [control = std::move(control)](const std::string& choice) -> std::unique_ptr<Device> {
         if (choice != "cpu" && choice != "gpu") throw DeviceError("there is no " + choice);
         return std::make_unique<FakeDevice>(choice, control);
     };

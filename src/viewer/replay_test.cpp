@@ -14,6 +14,7 @@ const kernel::Camera kCamera{{0.1F, -10, 1e-7F}, {0, 1.0F / 3, 0}, {1.7777778F, 
 TEST(Replay, CameraComesBackBitForBit) {
     const auto camera = parse_camera_argument(camera_argument(kCamera));
     ASSERT_TRUE(camera);
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): to the last bit
     EXPECT_EQ(std::memcmp(&*camera, &kCamera, sizeof kCamera), 0);
 }
 

@@ -12,7 +12,7 @@ constexpr std::chrono::milliseconds kLookEvery{200};
 
 }  // namespace
 
-SceneReloader::SceneReloader(std::filesystem::path file, std::shared_ptr<const LoadedScene> now_shown)
+SceneReloader::SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown)
     : file_(std::move(file)), watched_(now_shown->scene.files), next_look_(std::chrono::steady_clock::now()) {
     watch_.watch(watched_);
 }

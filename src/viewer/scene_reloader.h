@@ -17,7 +17,7 @@ namespace sundog::viewer {
 class SceneReloader {
 public:
     /// `now_shown` was read from `file`.
-    SceneReloader(std::filesystem::path file, std::shared_ptr<const LoadedScene> now_shown);
+    SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown);
 
     /// To be called often. Looks at the disk every 200 ms, reads what changed on another thread, and returns the scene
     /// once it is read; else null.

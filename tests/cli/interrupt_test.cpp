@@ -48,7 +48,7 @@ TEST(Interrupt, WritesWhatIsDone) {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.status, 130) << outcome.err;
     EXPECT_NE(outcome.err.find("interrupted: wrote what was done"), std::string::npos) << outcome.err;
-    EXPECT_EQ(read_bytes(folder / "a.ppm").size(), std::string("P6\n640 480\n255\n").size() + 640 * 480 * 3);
+    EXPECT_EQ(read_bytes(folder / "a.ppm").size(), std::string("P6\n640 480\n255\n").size() + 640UL * 480 * 3);
 }
 
 // Catches an interrupted animation that keeps a half-rendered frame.

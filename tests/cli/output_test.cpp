@@ -59,7 +59,7 @@ TEST(Output, StandardOutputIsThePictureAlone) {
     const Outcome outcome = run(with(small_render(table_scene(), "-"), {"--format", "ppm"}));
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(outcome.out.starts_with("P6")) << outcome.out.substr(0, 40);
-    EXPECT_EQ(outcome.out.size(), std::string("P6\n64 48\n255\n").size() + 64 * 48 * 3);
+    EXPECT_EQ(outcome.out.size(), std::string("P6\n64 48\n255\n").size() + 64UL * 48 * 3);
     const Outcome quiet = run(with(small_render(table_scene(), "-"), {"--quiet"}));
     EXPECT_TRUE(quiet.out.starts_with("\x89PNG"));
     EXPECT_EQ(quiet.err, "");

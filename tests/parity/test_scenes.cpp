@@ -181,7 +181,7 @@ scene::Material layers(std::vector<scene::TextureLayer> list, scene::Interior in
     scene::Material material;
     auto texture = std::make_shared<scene::LayeredTexture>();
     texture->layers = std::move(list);
-    material.patterned = scene::PatternedSurface{texture, {}, interior, {}, false, 0};
+    material.patterned = scene::PatternedSurface{texture, {}, std::move(interior), {}, false, 0};
     return material;
 }
 

@@ -37,7 +37,7 @@ scene::Material textured(std::vector<scene::TextureLayer> layers, scene::Interio
     scene::Material material;
     auto texture = std::make_shared<scene::LayeredTexture>();
     texture->layers = std::move(layers);
-    material.patterned = scene::PatternedSurface{texture, {}, interior, {}, false, 0};
+    material.patterned = scene::PatternedSurface{texture, {}, std::move(interior), {}, false, 0};
     return material;
 }
 

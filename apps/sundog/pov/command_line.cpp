@@ -158,7 +158,7 @@ private:
         for (const std::string& path : settings.library_paths) folders.push_back(surroundings_.working_folder / path);
         for (const fs::path& folder : folders)
             for (const char* ending : {"", ".ini", ".INI"})
-                if (const fs::path file = folder / (name + ending); is_file(file)) return file;
+                if (fs::path file = folder / (name + ending); is_file(file)) return file;
         return {};
     }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Values with blanks, comment signs or quotes stand in quotes of the kind that they don't hold.
 std::string quoted(const std::string& value) {
-    const std::string bare(without_quotes(trimmed(value)));
+    std::string bare(without_quotes(trimmed(value)));
     if (bare.find_first_of(" \t;'\"#") == std::string::npos) return bare;
     const char quote = bare.find('"') == std::string::npos ? '"' : '\'';
     return quote + bare + quote;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -67,7 +68,7 @@ fs::path find_scene(const PovSettings& settings) {
     folders.insert(folders.end(), settings.library_paths.begin(), settings.library_paths.end());
     for (const fs::path& folder : folders)
         for (const char* ending : {"", ".pov", ".POV"})
-            if (const fs::path file = folder / (settings.input_file + ending); is_file(file)) return file;
+            if (fs::path file = folder / (settings.input_file + ending); is_file(file)) return file;
     // Reading it says what is wrong with it.
     return settings.input_file;
 }
@@ -115,7 +116,7 @@ AdaptiveSampling sampling_of(const PovSettings& settings) {
 /// One call of the command.
 class PovRun {
 public:
-    PovRun(PovSettings settings, fs::path working_folder)
+    PovRun(PovSettings settings, const fs::path& working_folder)
         : settings_(std::move(settings)),
           policy_(output_policy(settings_, working_folder)),
           text_(settings_, policy_, [](std::string_view text) { fmt::print(stderr, "{}", text); }) {}
@@ -168,7 +169,7 @@ private:
 
     /// Where the frame goes; checked here, before the frame is read and rendered.
     [[nodiscard]] fs::path output_file(int frame) const {
-        const fs::path file = picture_file(settings_, animation_, frame);
+        fs::path file = picture_file(settings_, animation_, frame);
         if (!settings_.output_to_file) return file;
         if (file == "-") {
             if (::isatty(STDOUT_FILENO) == 1)
@@ -194,7 +195,7 @@ private:
         options.include_header = settings_.include_header;
         // Without any #version povray takes a scene for one of the time before 3.7, and says so.
         options.version = 360;
-        if (settings_.version) options.version = static_cast<std::uint16_t>(*settings_.version * 100 + 0.5);
+        if (settings_.version) options.version = static_cast<std::uint16_t>(std::lround(*settings_.version * 100));
         if (settings_.max_steps) options.limits.steps = *settings_.max_steps;
         if (settings_.max_memory_mb) options.limits.memory_bytes = *settings_.max_memory_mb << 20U;
         options.access.sandbox = settings_.sandbox;

@@ -162,7 +162,8 @@ TEST(BvhTraversal, VisitsNearChildrenFirst) {
     for (int cluster = 0; cluster < 2; ++cluster) {
         for (int i = 0; i < 100; ++i) {
             const float x = static_cast<float>(cluster) * 100 + static_cast<float>(i % 10);
-            const float y = static_cast<float>(i / 10);
+            const int row = i / 10;
+            const auto y = static_cast<float>(row);
             boxes.push_back({{x, y, 0}, {x + 0.5F, y + 0.5F, 1}});
         }
     }

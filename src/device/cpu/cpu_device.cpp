@@ -134,6 +134,7 @@ private:
         const auto same_bytes = [](const auto& x, const auto& y) {
             return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
         };
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other bits of the same number ask for another round
         return std::memcmp(&p, &b.params, sizeof p) == 0 && same_bytes(a.lights, b.lights) &&
                same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.camera_rays == b.camera_rays;
     }

@@ -192,6 +192,7 @@ void EmbreeScene::update(const Frame& frame) {
     }
     placed_.resize(instances_.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other bits of the same number only cost an update
         if (!instances_[i] || std::memcmp(&placed_[i], &frame.instances[i], sizeof placed_[i]) == 0) continue;
         placed_[i] = frame.instances[i];
         const std::array<float, 12> columns = columns_of(placed_[i]);

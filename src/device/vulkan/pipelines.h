@@ -14,10 +14,10 @@ namespace sundog::vulkan {
 
 /// The shader's specialization constants, in the order of their ids: a variant contains only what it needs.
 struct Variant {
-    std::uint32_t features = 0;    ///< FEATURE_*
-    std::uint32_t aovs = 0;        ///< AOV_*
-    std::uint32_t stack_size = 0;  ///< Entries of the traversal's stack.
-    friend auto operator<=>(const Variant&, const Variant&) = default;
+    std::uint32_t features = 0;                                         ///< FEATURE_*
+    std::uint32_t aovs = 0;                                             ///< AOV_*
+    std::uint32_t stack_size = 0;                                       ///< Entries of the traversal's stack.
+    friend auto operator<=>(const Variant&, const Variant&) = default;  // NOLINT(modernize-use-nullptr): its own zero
 };
 
 /// A compute shader whose set 0 holds storage buffers 0 to binding_count - 2 and one uniform buffer after them.

@@ -129,7 +129,7 @@ private:
         MotionLine motion = read_motion_line(value);
         if (!motions_seen_.emplace(motion.object, motion.kind).second)
             value.fail(motion.object.data(), "the same motion of " + in_quotes(motion.object) + " is given twice");
-        motions_.push_back(std::move(motion));
+        motions_.push_back(motion);
     }
 
     static void named_file(LineCursor& value, std::string_view form, std::vector<NamedFile>& files) {

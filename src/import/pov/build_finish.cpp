@@ -205,7 +205,7 @@ private:
 }  // namespace
 
 FinishParts read_finish(BuildContext& context, const Block& block, FinishParts start) {
-    return FinishReader(context, block, start).read();
+    return FinishReader(context, block, std::move(start)).read();
 }
 
 Interior read_interior(BuildContext& context, const Block& block) {

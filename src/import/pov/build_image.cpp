@@ -5,14 +5,12 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <span>
 
 #include "fields/function_evaluator.h"
 #include "fields/pigment_evaluator.h"
 #include "import/pov/build_function.h"
 #include "output/image.h"
+#include "output/indices.h"
 #include "scene/files.h"
 #include "scene/stand_in.h"
 
@@ -55,16 +53,13 @@ scene::Index texture_of(BuildContext& context, const ImageName& image, bool srgb
 /// Between a file's name and what was changed in it.
 constexpr std::string_view kChange = " with palette entry ";
 
-/// Lets `amount` of the light through where the image has the colour of an entry of its palette.
+/// Lets `amount` of the light through where the image has an entry of its palette.
 void clear_palette_entry(BuildContext& context, scene::ImageMap& image, int entry, double amount) {
     scene::Texture texture = context.scene.textures[image.texture];
-    const auto numbers = palette_of(texture.name.substr(0, texture.name.find(kChange)));
+    const std::vector<std::uint8_t> numbers = palette_numbers(texture);
     const auto alpha = static_cast<std::uint32_t>(std::lround((1 - std::clamp(amount, 0.0, 1.0)) * 255));
-    for (std::uint32_t& texel : texture.rgba8) {
-        const auto number = numbers.find(texel & 0xffffffU);
-        if (number != numbers.end() && number->second == static_cast<std::uint32_t>(entry))
-            texel = (texel & 0xffffffU) | alpha << 24U;
-    }
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (numbers[i] == entry) texture.rgba8[i] = (texture.rgba8[i] & 0xffffffU) | alpha << 24U;
     texture.name += std::string(kChange) + std::to_string(entry) + " " + std::to_string(alpha);
     if (const auto known = find_texture(context.scene, texture.name, texture.srgb)) {
         image.texture = *known;
@@ -142,34 +137,13 @@ scene::Index texture_of_function(BuildContext& context, ItemReader& items) {
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }
 
-/// Calls `f` with the name and contents of a PNG file's chunks as long as it returns true; not for other files.
-template <typename F>
-void for_png_chunks(const std::string& file, F f) {
-    std::ifstream stream(file, std::ios::binary);
-    std::array<char, 8> signature{};
-    if (!stream.read(signature.data(), signature.size()) || std::memcmp(signature.data(), "\x89PNG", 4) != 0) return;
-    std::array<unsigned char, 8> header{};
-    while (stream.read(reinterpret_cast<char*>(header.data()), header.size())) {
-        const std::uint32_t size = std::uint32_t{header[0]} << 24U | std::uint32_t{header[1]} << 16U |
-                                   std::uint32_t{header[2]} << 8U | header[3];
-        // Chunks that are asked for are small.
-        std::array<unsigned char, 768> contents{};
-        const std::uint32_t kept = std::min<std::uint32_t>(size, contents.size());
-        if (!stream.read(reinterpret_cast<char*>(contents.data()), kept)) return;
-        const std::string name(header.begin() + 4, header.end());
-        if (!f(name, std::span<const unsigned char>(contents.data(), kept))) return;
-        stream.seekg(static_cast<std::streamoff>(size - kept) + 4, std::ios::cur);
+/// True if a file says how its numbers are encoded; false for one that can't be read, too.
+bool tells_encoding(const std::filesystem::path& file) {
+    try {
+        return !file.empty() && output::tells_encoding(file);
+    } catch (const InputError&) {
+        return false;
     }
-}
-
-/// True if a PNG file says how its numbers are encoded.
-bool tells_gamma(const std::string& file) {
-    bool tells = false;
-    for_png_chunks(file, [&](const std::string& name, std::span<const unsigned char>) {
-        tells = name == "gAMA" || name == "sRGB";
-        return !tells && name != "IDAT";
-    });
-    return tells;
 }
 
 /// Whether an image's numbers are sRGB-encoded. As povray's pictures show: before version 3.7, files that don't say so
@@ -178,7 +152,7 @@ bool is_srgb(const BuildContext& context, const Block& block, const ImageName& i
     if (context.stored_colors(block.version)) return false;
     if (image.gamma) return *image.gamma > 1.5;
     const std::filesystem::path file = context.find_file(image.name, image.where);
-    if (block.version < 370) return tells_gamma(file.string());
+    if (block.version < 370) return tells_encoding(file);
     std::string kind = file.extension().string();
     for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return kind != ".ppm" && kind != ".pgm" && kind != ".tif" && kind != ".tiff";
@@ -186,17 +160,17 @@ bool is_srgb(const BuildContext& context, const Block& block, const ImageName& i
 
 }  // namespace
 
-std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file) {
-    std::map<std::uint32_t, std::uint32_t> numbers;
-    for_png_chunks(file, [&](const std::string& name, std::span<const unsigned char> colors) {
-        if (name != "PLTE") return name != "IDAT";
-        for (std::uint32_t i = 0; i < colors.size() / 3; ++i)
-            numbers.emplace(std::uint32_t{colors[3 * i]} | std::uint32_t{colors[3 * i + 1]} << 8U |
-                                std::uint32_t{colors[3 * i + 2]} << 16U,
-                            i);
-        return false;
-    });
-    return numbers;
+std::vector<std::uint8_t> palette_numbers(const scene::Texture& texture) {
+    const std::filesystem::path file = texture.name.substr(0, texture.name.find(kChange));
+    try {
+        std::error_code none;
+        if (!std::filesystem::is_regular_file(file, none)) return {};
+        auto indexed = output::read_indices(file);
+        if (indexed && indexed->indices.size() == texture.rgba8.size()) return std::move(indexed->indices);
+    } catch (const InputError&) {
+        // The file has changed since its pixels were read.
+    }
+    return {};
 }
 
 ImageName read_image_name(ItemReader& items) {

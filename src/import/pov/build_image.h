@@ -4,9 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "import/pov/build_items.h"
 #include "scene/pigment.h"
@@ -26,8 +26,8 @@ ImageName read_image_name(ItemReader& items);
 /// Takes the modifiers that image maps share (once, map_type, interpolate, …). False if none follows.
 bool read_image_modifier(ItemReader& items, scene::ImageMap& image);
 
-/// The number of each colour (0xBBGGRR) in a PNG file's palette; empty for files without one.
-std::map<std::uint32_t, std::uint32_t> palette_of(const std::string& file);
+/// The palette's number of each pixel of a texture that was read from a file; empty where the file has no palette.
+std::vector<std::uint8_t> palette_numbers(const scene::Texture& texture);
 
 /// What an image's numbers mean: colours, which files store encoded, or heights and the like, which they store as they
 /// are.

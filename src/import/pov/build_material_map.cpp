@@ -11,15 +11,12 @@ namespace {
 
 /// The picture's texture with palette numbers for red, where it has a palette.
 scene::Index numbered(BuildContext& context, scene::Index index) {
-    const auto numbers = palette_of(context.scene.textures[index].name);
+    const std::vector<std::uint8_t> numbers = palette_numbers(context.scene.textures[index]);
     if (numbers.empty()) return index;
     scene::Texture texture = context.scene.textures[index];
     texture.name += " (numbers)";
     texture.srgb = false;
-    for (std::uint32_t& texel : texture.rgba8) {
-        const auto number = numbers.find(texel & 0xffffffU);
-        texel = (number == numbers.end() ? 0 : number->second) | 0xff000000U;
-    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) texture.rgba8[i] = numbers[i] | 0xff000000U;
     context.scene.textures.push_back(std::move(texture));
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
 }

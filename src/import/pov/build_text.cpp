@@ -120,7 +120,7 @@ std::filesystem::path find_font(BuildContext& context, const std::string& name, 
         const std::string full = name + suffix;
         if (std::filesystem::path file = context.find_file(full, where); !file.empty()) return file;
         for (const char* folder : {"/usr/share/fonts/truetype/povray", "/usr/local/share/povray-3.7/include"}) {
-            const std::filesystem::path file = std::filesystem::path(folder) / std::filesystem::path(full).filename();
+            std::filesystem::path file = std::filesystem::path(folder) / std::filesystem::path(full).filename();
             if (readable(file)) return file;
         }
     }

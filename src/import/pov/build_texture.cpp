@@ -325,7 +325,7 @@ const DefaultTexture& TextureReader::defaults_of(const Block& owner) {
 
 TexturePointer TextureReader::default_texture(const Block& owner) { return defaults_of(owner).texture; }
 
-TexturePointer TextureReader::changed(TexturePointer texture, const Block& block, const Block& owner) {
+TexturePointer TextureReader::changed(const TexturePointer& texture, const Block& block, const Block& owner) {
     LayeredTexture result = texture ? *texture : LayeredTexture{{defaults_of(owner).layer}};
     result.blended = nullptr;
     TextureLayer& layer = result.layers.back();

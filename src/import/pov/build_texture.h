@@ -44,7 +44,7 @@ public:
     /// The texture of a `texture { }` or `interior_texture { }`.
     TexturePointer read(const std::shared_ptr<const Block>& block);
     /// `texture` changed by an object's own `pigment { }`, `normal { }` or `finish { }`; null: #default's texture is.
-    TexturePointer changed(TexturePointer texture, const Block& block, const Block& owner);
+    TexturePointer changed(const TexturePointer& texture, const Block& block, const Block& owner);
     /// Two layers or groups of them, `over` on top.
     TexturePointer layered(const TexturePointer& under, const TexturePointer& over);
     /// `texture` with uv_mapping on all its layers.

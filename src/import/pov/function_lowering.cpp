@@ -209,8 +209,9 @@ void FunctionLowering::lower_series(Frame& frame, std::size_t i) {
         }
         if (terms <= kMostUnrolledTerms && terms * static_cast<double>(term - to_node) <= kMostUnrolledNodes) {
             Number result = builder_.constant(is_sum ? 0 : 1);
-            for (double counter = *first; counter <= *last; counter += 1) {
-                frame.variables[node.index] = builder_.constant(counter);
+            const auto count = static_cast<int>(terms);
+            for (int k = 0; k < count; ++k) {
+                frame.variables[node.index] = builder_.constant(*first + k);
                 lower_term();
                 result = is_sum ? result + frame.values[term] : result * frame.values[term];
             }

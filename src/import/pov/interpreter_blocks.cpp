@@ -279,7 +279,6 @@ void Interpreter::parse_function_item(std::vector<Item>& items, std::uint32_t& d
 }
 
 void Interpreter::run_scene() {
-    Block block;
     for (;;) {
         const Lookahead& ahead = peek();
         if (ahead.kind == TokenKind::end) return;
@@ -287,7 +286,7 @@ void Interpreter::run_scene() {
             take();
             continue;
         }
-        block.items.clear();
+        Block block;
         block.where = here();
         if (ahead.kind == TokenKind::name && identifiers_.find(ahead.payload) != nullptr) {
             // `Tree` alone is taken for `object { Tree }`.

@@ -18,7 +18,7 @@ class Interpreter {
 public:
     Interpreter(const PovOptions& options, std::filesystem::path scene_folder, SourceFiles& sources, BlockSink& sink,
                 GeometryQueries* queries, const WarningSink& warn);
-    void run(const std::filesystem::path& path, SourceText source);
+    void run(const std::filesystem::path& path, const SourceText& source);
 
 private:
     /// A token's place, worked out where it is needed only: finding a line takes longer than most tokens.

@@ -155,6 +155,8 @@ Value Interpreter::call_of_names(Keyword keyword, Spot where) {
     return number_value(result);
 }
 
+// By value: what the arguments call may declare the name anew.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 Value Interpreter::call_function(std::shared_ptr<const FunctionExpression> function, Spot where) {
     const GuardScope no_guard(guard_, {});
     const Level level(*this);
@@ -164,7 +166,7 @@ Value Interpreter::call_function(std::shared_ptr<const FunctionExpression> funct
         const Value value = argument(arguments.empty());
         // A single vector stands for its components where a point is wanted.
         const bool spread = arguments.empty() && value.count > 1 && parameter_count(*function) >= value.count;
-        for (std::uint8_t i = 0; i < (spread ? value.count : 1); ++i) arguments.push_back(value.v[i]);
+        arguments.insert(arguments.end(), value.v.begin(), value.v.begin() + (spread ? value.count : 1));
     }
     take();
     try {

@@ -29,7 +29,7 @@ std::string Interpreter::describe_ahead() {
     };
     std::size_t length = 0;
     while (length < text.size() && is_word(text[length])) ++length;
-    const std::string quoted = in_quotes(text.substr(0, std::max<std::size_t>(length, 1)));
+    std::string quoted = in_quotes(text.substr(0, std::max<std::size_t>(length, 1)));
     if (ahead.kind != TokenKind::name) return quoted;
     const Entity* entity = identifiers_.find(ahead.payload);
     return entity == nullptr ? "the undeclared identifier " + quoted : quoted + ", which is " + describe(*entity);

@@ -60,7 +60,7 @@ Interpreter::Interpreter(const PovOptions& options, std::filesystem::path scene_
     }
 }
 
-void Interpreter::run(const std::filesystem::path& path, SourceText source) {
+void Interpreter::run(const std::filesystem::path& path, const SourceText& source) {
     input_file_name_ = path.filename().string();
     const std::uint32_t file = sources_.add(path, source);
     token_files_.push_back(tokenise(file, path, source, names_));

@@ -106,7 +106,8 @@ std::string Interpreter::call_string_builtin(Keyword keyword, Spot where) {
         }
         case Keyword::concat:
             while (peek().kind != TokenKind::right_paren) {
-                text = checked(text + parse_string(), where);
+                text += parse_string();
+                text = checked(std::move(text), where);
                 accept(TokenKind::comma);
             }
             break;

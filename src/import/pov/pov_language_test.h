@@ -32,7 +32,7 @@ inline std::string formatted(const std::string& scene, const PovOptions& options
 
 /// The value of an expression, which stands behind `declarations`.
 inline std::string evaluated(const std::string& expression, const std::string& declarations = "") {
-    const std::string block = formatted(declarations + "\nbackground { " + expression + " }");
+    std::string block = formatted(declarations + "\nbackground { " + expression + " }");
     const std::string before = "background { ", after = " }\n";
     if (block.size() < before.size() + after.size()) return block;
     return block.substr(before.size(), block.size() - before.size() - after.size());

@@ -8,9 +8,6 @@
 
 KERNEL_BEGIN
 
-/// How far rays go that hit nothing, as in povray.
-const float FOG_FAR = 2.0e10f;
-
 /// Amount of ground fog from its foot up to relative height z, whose density is 1 below z = 0 and 1/(1+z^2) above.
 /// (The reference has another formula; this is what pictures of povray 3.7 show, to the last bit of 16.)
 FN real ground_fog_depth(real z) { return select(z < real(0.0f), z, angle_of(max(z, real(0.0f)), real(1.0f))); }
@@ -18,7 +15,7 @@ FN real ground_fog_depth(real z) { return select(z < real(0.0f), z, angle_of(max
 /// Share of light, per channel, that gets through a fog over `distance` along a ray; `glow` is what the fog adds
 /// (POV-Ray's reference, section 3.4.4.2 "Fog").
 FN real3 fog_transmittance(Fog fog, Ray ray, real distance, OUT(real3) glow) {
-    real way = min(distance, real(FOG_FAR));
+    real way = min(distance, real(RAY_FAR));
     real length_in_fog = way;
     if (fog.ground != 0u) {
         float per_altitude = 1.0f / max(fog.altitude, 1e-20f);

@@ -4,7 +4,6 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 
-#include "kernel/atmosphere/fog.h"
 #include "kernel/atmosphere/media_insides.h"
 #include "kernel/patterns/program.h"
 
@@ -40,7 +39,6 @@ struct Scatterers {
     real3 color[MAX_SCATTERERS];  ///< Per unit of length.
 };
 
-FN real largest(real3 c) { return max(c.x, max(c.y, c.z)); }
 FN bool not_black(vec3 c) { return max(abs(c.x), max(abs(c.y), abs(c.z))) > 0.0f; }
 
 FN void add_list(SCENE uint list, INOUT(MediaGroup) group) {
@@ -165,7 +163,7 @@ FN_LARGE real3 media_transmittance(SCENE Ray ray, real distance, MediaInsides in
                                    mask alive) {
     bool atmosphere = with_atmosphere && FRAME.atmosphere != NONE;
     real3 passes = real3(real(1.0f));
-    real reach = min(distance, real(FOG_FAR));
+    real reach = min(distance, real(RAY_FAR));
     mask todo = mask_and(alive, reach > real(0.0f));
     while (any_lane(todo)) {
         MediaGroup group;

@@ -2,7 +2,6 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_RAINBOW_H
 #define SUNDOG_KERNEL_ATMOSPHERE_RAINBOW_H
 
-#include "kernel/atmosphere/fog.h"
 #include "kernel/patterns/program.h"
 
 KERNEL_BEGIN
@@ -16,7 +15,7 @@ FN real3 rainbow_radiance(SCENE uint at, Ray ray, real distance, INOUT(real3) we
     real3 glow = black;
     real3 passing = black;
     real hits = real(0.0f);
-    real reach = min(distance, real(FOG_FAR));
+    real reach = min(distance, real(RAY_FAR));
     for (uint i = 0u; i < AT(code, at); i = i + 1u) {
         uint bow = at + 1u + i * RAINBOW_WORDS;
         real3 axis = real3(code_vec3(SCENE_ bow));
@@ -25,7 +24,7 @@ FN real3 rainbow_radiance(SCENE uint at, Ray ray, real distance, INOUT(real3) we
         real off_axis = length(aside);
         real place = (angle_of(off_axis, cosine) - code_float(SCENE_ bow + 6u)) * code_float(SCENE_ bow + 7u) + 0.5f;
         float jitter = code_float(SCENE_ bow + 9u);
-        if (jitter > 0.0f) place = place + (2.0f * random_by_direction(ray.direction, word(i)) - 1.0f) * jitter;
+        if (jitter > 0.0f) place = place + (2.0f * random_at(ray.direction, word(i)) - 1.0f) * jitter;
         mask hit = mask_and(real(0.0f) <= place, place <= real(1.0f));
         // The angle around the axis, from `up`, and how much of the arc is there.
         real upward = dot(aside, real3(code_vec3(SCENE_ bow + 3u)));

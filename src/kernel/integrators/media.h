@@ -183,9 +183,7 @@ FN mask differ(MediaPoint a, MediaPoint b, float threshold) {
 
 /// How far a sample is moved off its place, from -1/2 to 1/2 of the way to the next one, times the medium's jitter: by
 /// the ray alone.
-FN real media_jitter(Ray ray, word number, float amount) {
-    return (random_by_direction(ray.direction, number) - 0.5f) * amount;
-}
+FN real media_jitter(Ray ray, word number, float amount) { return (random_at(ray.direction, number) - 0.5f) * amount; }
 
 /// Adds a step of length dt: dimmed by what came before it alone, as povray's pictures show.
 FN void add_step(MediaPoint mean, real dt, mask here, INOUT(MediaLight) out) {
@@ -361,7 +359,7 @@ FN_LARGE real3 media_radiance(SCENE Ray ray, real distance, MediaInsides insides
         r.insides = insides;
         mask here = take_alike(SCENE_ insides, FRAME.atmosphere != NONE, todo, r.group);
         if (r.group.count == 0u) continue;
-        real reach = select(here, min(distance, real(FOG_FAR)), real(0.0f));
+        real reach = select(here, min(distance, real(RAY_FAR)), real(0.0f));
         if (!r.group.emits && !r.group.scatters) {
             weight = select(here, weight * dimmed_by(media_depth(SCENE_ r.group, ray, reach)), weight);
             continue;

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rays whose radiance is needed by itself before it can be added up: C++ only, for they recurse. Included by whitted.h.
+// Rays whose radiance is needed by itself before it can be added up: C++ only, for they recurse.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_NESTED_H
 #define SUNDOG_KERNEL_INTEGRATORS_NESTED_H
 
+#include "kernel/integrators/path.h"
+#include "kernel/lights/shadow.h"
+
 KERNEL_BEGIN
+
+/// What comes back along the ray of `path`, times its weight: path_radiance() from within itself.
+inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts);
 
 /// Most calls of path_radiance() around one another: what lies deeper is neither dispersed nor bent by exponents.
 const uint MAX_NESTING = 12u;

@@ -14,155 +14,19 @@
 #include "kernel/atmosphere/fog.h"
 #include "kernel/atmosphere/rainbow.h"
 #include "kernel/atmosphere/sky.h"
-#include "kernel/lights/light.h"
-#include "kernel/lights/shadow.h"
+#include "kernel/integrators/path.h"
+#include "kernel/lights/direct.h"
 #include "kernel/materials/bump.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
 #include "kernel/materials/material.h"
 #ifdef __cplusplus
 #include "kernel/integrators/media.h"
+#include "kernel/integrators/nested.h"
 #include "kernel/lights/indirect.h"
 #endif
 
 KERNEL_BEGIN
-
-/// A ray still to be followed, and how much of its radiance counts.
-struct PathState {
-    Ray ray;
-    real3 weight;
-    word depth;  ///< Surfaces before it on its path, in DEPTH_UNITS.
-    word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
-    mask alive;
-    Insides insides;     ///< What it is inside of, as far as that is known.
-    MediaInsides media;  ///< If FEATURE_HOLLOW: of what its origin is inside, whose media it passes.
-#ifdef __cplusplus
-    real spectrum;  ///< If FEATURE_DISPERSION: its place there, 0 (violet) to 1 (red); negative: all colours.
-    uint nesting;   ///< How many path_radiance() are under way around this one.
-#endif
-};
-
-/// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
-struct FirstHit {
-    real t;
-    real3 normal;
-    real3 albedo;
-    word geometry, primitive, material;
-};
-
-/// Lanes of `alive` whose surface a light in direction `to_light` lights: their front, or, in the lanes of `behind`,
-/// their back, where the material lets that be seen. Not where it is behind the face, or behind the smoothed one.
-FN mask lit_lanes(SCENE Surface s, mask patterned, real3 to_light, mask alive, OUT(mask) behind) {
-    mask faces = dot(s.normal, to_light) > real(0.0f);
-    // Layers have normals of their own, which may turn to a light that the surface's turns from.
-    if (FEATURE(FEATURE_NORMALS)) faces = mask_or(faces, patterned);
-    real facing = dot(s.geometric_normal, to_light);
-    mask lit = mask_and(alive, mask_and(faces, facing > real(0.0f)));
-    behind = mask_and(alive, mask_not(alive));
-    if (FEATURE(FEATURE_BACKLIT)) {
-        mask backlit = (FIELD(materials, s.material, flags) & word(MATERIAL_BACKLIT)) != word(0u);
-        behind = mask_and(mask_and(alive, backlit), facing < real(0.0f));
-        lit = mask_or(lit, behind);
-    }
-    return lit;
-}
-
-/// Adds what light of number `light_number` does that arrives from one direction in the lanes of `lit`.
-FN void add_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 light_color, uint light_flags,
-                  uint light_number, mask lit, mask behind, real3 to_light, real3 to_eye, INOUT(real3) base,
-                  INOUT(real3) highlight) {
-    light_color = select(lit, light_color, real3(real(0.0f)));
-    if (FEATURE(FEATURE_PATTERNED)) {
-        light_layers(SCENE_ s, layered, lit, behind, lobes.patterned, light_color, light_flags, light_number, to_light,
-                     to_eye, base, highlight);
-    }
-    base = base + lobes.diffuse * light_color * dot(s.normal, to_light);
-    real specular_most = max(lobes.specular.x, max(lobes.specular.y, lobes.specular.z));
-    if (any_lane(mask_and(lit, specular_most > real(0.0f)))) {
-        real blinn = blinn_phong_highlight(s.normal, to_light, to_eye, lobes.shininess);
-        if (any_lane(lobes.phong)) {
-            blinn = select(lobes.phong, phong_highlight(s.normal, to_light, to_eye, lobes.shininess), blinn);
-        }
-        highlight = highlight + lobes.specular * light_color * blinn;
-    }
-}
-
-/// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
-FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, MediaInsides media, mask alive,
-                     INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
-    base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
-    highlight = real3(real(0.0f));
-    for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
-        Light light = AT(lights, i);
-        real distance;
-        real3 to_light = direction_to_light(light, s.position, distance);
-        // An area that illuminates lights from each of its lights, dimmed by the shadow of the area as a whole.
-        bool in_parts = FEATURE(FEATURE_LIGHT_SHAPES) && (light.flags & LIGHT_ILLUMINATES) != 0u;
-        mask behind;
-        mask lit = lit_lanes(SCENE_ s, lobes.patterned, to_light, alive, behind);
-        if (in_parts) lit = alive;
-        if (FEATURE(FEATURE_LIGHT_GROUPS))
-            lit = mask_and(lit, light_reaches(SCENE_ light.group, s.material, lobes.patterned));
-        // No shadow ray where nothing is lit.
-        if (!any_lane(lit)) continue;
-        real3 light_color = real3(light.color);
-        if (FEATURE(FEATURE_LIGHT_SHAPES)) {
-            if (!in_parts) light_color = light_color * light_share(light, s.position, to_light, distance);
-            // Lights may be negative.
-            real3 amount = abs(light_color);
-            lit = mask_and(lit, max(amount.x, max(amount.y, amount.z)) > real(0.0f));
-        }
-        if (FEATURE(FEATURE_SHADOWS)) {
-            if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
-                real3 off = s.geometric_normal * s.error;
-                if (FEATURE(FEATURE_BACKLIT)) off = select(behind, -off, off);
-                light_color = light_color *
-                              light_visibility(SCENE_ light, s.position + off, to_light, distance, media, lit, counts);
-            }
-        }
-        uint parts = in_parts ? light.area_count_u * light.area_count_v : 1u;
-        mask reached = lit;
-        real3 color = light_color;
-        real3 from = to_light;
-        for (uint part = 0u; part < parts; part = part + 1u) {
-            if (in_parts) {
-                uint column = part % light.area_count_u;
-                uint row = part / light.area_count_u;
-                real3 place = area_light_place(light, real(place_in_row(column, light.area_count_u)),
-                                               real(place_in_row(row, light.area_count_v)), to_light);
-                if (light.kind != LIGHT_SUN) place = place - s.position;
-                real reach = max(length(place), real(1e-30f));
-                from = place * (1.0f / reach);
-                lit = lit_lanes(SCENE_ s, lobes.patterned, from, reached, behind);
-                color = light_color * (light_share(light, s.position, from, reach) * (1.0f / float(parts)));
-            }
-            add_light(SCENE_ s, lobes, layered, color, light.flags, i, lit, behind, from, to_eye, base, highlight);
-        }
-    }
-}
-
-/// The ray off a mirror at a surface.
-FN Ray mirrored_ray(Surface s, real3 incoming) {
-    Ray ray;
-    ray.direction = mirror_direction(incoming, s.normal);
-    // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
-    real into = dot(ray.direction, s.geometric_normal);
-    real3 lifted = ray.direction - s.geometric_normal * (2.0f * into);
-    ray.direction = select(into < real(0.0f), lifted, ray.direction);
-    ray.origin = s.position + s.geometric_normal * s.error;
-    ray.t_min = real(0.0f);
-    ray.t_max = real(3.0e38f);
-    return ray;
-}
-
-#ifdef __cplusplus
-/// path_radiance() from within itself.
-inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts);
-
-KERNEL_END
-#include "kernel/integrators/nested.h"
-KERNEL_BEGIN
-#endif
 
 /// What comes back along the ray of `path`, times its weight, as the scene's numbers have it: before working_gamma.
 ///
@@ -196,19 +60,17 @@ FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(
         }
 #endif
         if (FEATURE(FEATURE_ATMOSPHERE)) {
+            mask in_air = path.alive;
+            if (FEATURE(FEATURE_HOLLOW)) in_air = mask_and(in_air, mask_not(in_solid(path.media)));
+            real reach = select(found, hit.t, real(3.0e38f));
             if (FRAME.fog_count > 0u) {
-                mask in_fog = path.alive;
-                if (FEATURE(FEATURE_HOLLOW)) in_fog = mask_and(in_fog, mask_not(in_solid(path.media)));
                 real3 dimmed = path.weight;
-                real3 glow = fog_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), dimmed);
-                radiance = radiance + select(in_fog, glow, black);
-                path.weight = select(in_fog, dimmed, path.weight);
+                real3 glow = fog_radiance(SCENE_ path.ray, reach, dimmed);
+                radiance = radiance + select(in_air, glow, black);
+                path.weight = select(in_air, dimmed, path.weight);
             }
             if (FRAME.rainbows != NONE) {
-                mask in_air = path.alive;
-                if (FEATURE(FEATURE_HOLLOW)) in_air = mask_and(in_air, mask_not(in_solid(path.media)));
                 real3 dimmed = path.weight;
-                real reach = select(found, hit.t, real(3.0e38f));
                 real3 glow = rainbow_radiance(SCENE_ FRAME.rainbows, path.ray, reach, dimmed);
                 radiance = radiance + select(in_air, glow, black);
                 path.weight = select(in_air, dimmed, path.weight);
@@ -267,8 +129,8 @@ FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(
                 mask deeper_on = mask_and(found, path.depth < select(straight, deepest + word(DEPTH_UNITS), deepest));
                 real3 reflected = path.weight * lobes.reflectance;
                 real3 transmitted = path.weight * lobes.transmittance;
-                real reflected_most = max(reflected.x, max(reflected.y, reflected.z));
-                real transmitted_most = max(transmitted.x, max(transmitted.y, transmitted.z));
+                real reflected_most = largest(reflected);
+                real transmitted_most = largest(transmitted);
                 mask reflects =
                     mask_and(mask_and(deeper, reflected_most > real(0.0f)), reflected_most >= real(FRAME.min_weight));
                 mask transmits = mask_and(mask_and(deeper_on, transmitted_most > real(0.0f)),
@@ -325,7 +187,7 @@ FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(
                             MediaInsides beyond = path.media;
                             if (FEATURE(FEATURE_HOLLOW)) beyond = media_beyond(SCENE_ s, beyond, transmits);
                             if (any_lane(both)) {
-                                PathState branch;
+                                PathState branch = path;
                                 branch.ray.origin = behind;
                                 branch.ray.direction = refracted_direction;
                                 branch.ray.t_min = real(0.0f);
@@ -333,13 +195,8 @@ FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(
                                 branch.weight = transmitted;
                                 branch.depth = transmitted_depth;
                                 branch.insides = behind_insides;
-                                branch.kind = path.kind;
                                 branch.media = beyond;
                                 branch.alive = both;
-#ifdef __cplusplus
-                                branch.spectrum = path.spectrum;
-                                branch.nesting = path.nesting;
-#endif
                                 waiting[waiting_count] = branch;
                                 waiting_count = waiting_count + 1u;
                             }

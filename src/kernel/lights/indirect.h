@@ -58,7 +58,7 @@ FN real load_lanes(const IndirectQuery::Lanes& place) {
 inline real3 indirect_light(SCENE Surface s, real3 smooth_normal, Lobes lobes, real3 weight, mask found) {
     real3 black = real3(real(0.0f));
     real3 share = weight * lobes.albedo;
-    mask wanted = mask_and(found, max(share.x, max(share.y, share.z)) > real(0.0f));
+    mask wanted = mask_and(found, largest(share) > real(0.0f));
     if (!any_lane(wanted)) return black;
     real3 normal = scene.indirect->uses_bent_normals() ? s.normal : smooth_normal;
     // One that turns to the surface's other side is seen at a grazing angle at most.
@@ -66,7 +66,7 @@ inline real3 indirect_light(SCENE Surface s, real3 smooth_normal, Lobes lobes, r
     lifted = normalize(lifted + s.geometric_normal * 1.0e-3f);
     normal = select(dot(normal, s.geometric_normal) <= real(0.0f), lifted, normal);
     IndirectQuery query;
-    query.lanes = static_cast<int>(sizeof(real) / sizeof(float));
+    query.lanes = static_cast<int>(sizeof(real) / sizeof(float));  // NOLINT(bugprone-sizeof-expression): or is a float
     store_lanes(select(wanted, word(1u), word(0u)), query.wanted);
     store_lanes(s.position.x, query.x);
     store_lanes(s.position.y, query.y);

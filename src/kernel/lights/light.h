@@ -4,7 +4,6 @@
 #define SUNDOG_KERNEL_LIGHTS_LIGHT_H
 
 #include "kernel/math.h"
-#include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
 
 KERNEL_BEGIN
@@ -84,12 +83,6 @@ FN float row_step(uint count) { return count > 1u ? 1.0f / float(count - 1u) : 0
 
 /// Where light number `index` of a row of `count` stands: -1/2 to 1/2; 0 for a single one.
 FN float place_in_row(uint index, uint count) { return count > 1u ? float(index) / float(count - 1u) - 0.5f : 0.0f; }
-
-/// A random number in [0, 1) that belongs to a point and a number.
-FN real random_at(real3 p, uint number) {
-    word bits = hash_word(hash_word(hash_word(as_word(p.x) + word(number)) + as_word(p.y)) + as_word(p.z));
-    return real_from_word(bits >> 8u) * 5.96046448e-8f;
-}
 
 /// Where an area light's point (s, t) in [-1/2, 1/2]^2 stands, seen from a point.
 FN real3 area_light_place(Light light, real s, real t, real3 to_light) {

@@ -9,6 +9,7 @@
 #include "kernel/lights/light.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
+#include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
 #ifdef __cplusplus
 #include "kernel/atmosphere/media.h"
@@ -74,7 +75,7 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
             passes = passes * media_transmittance(SCENE_ ray, hit.t, insides, attenuated, alive);
 #endif
         transmittance = select(alive, transmittance * passes, transmittance);
-        alive = mask_and(alive, max(transmittance.x, max(transmittance.y, transmittance.z)) > real(0.0f));
+        alive = mask_and(alive, largest(transmittance) > real(0.0f));
         if (!any_lane(alive)) return transmittance;
         if (FEATURE(FEATURE_HOLLOW)) insides = media_beyond(SCENE_ s, insides, alive);
         // On from the far side of that surface; a lamp's distance shrinks by what was passed.
@@ -135,8 +136,8 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
                 real t = real(place_in_row(i / steps_u, steps_v));
                 if ((light.flags & LIGHT_JITTER) != 0u) {
                     // At most half the way to its neighbours.
-                    s = s + (random_at(origin, 2u * i) - 0.5f) * row_step(light.area_count_u);
-                    t = t + (random_at(origin, 2u * i + 1u) - 0.5f) * row_step(light.area_count_v);
+                    s = s + (random_at(origin, word(2u * i)) - 0.5f) * row_step(light.area_count_u);
+                    t = t + (random_at(origin, word(2u * i + 1u)) - 0.5f) * row_step(light.area_count_v);
                 }
                 real3 place = area_light_place(light, s, t, to_light);
                 if (light.kind == LIGHT_SUN) {
@@ -156,7 +157,7 @@ FN real3 light_visibility(SCENE Light light, real3 origin, real3 to_light, real 
         }
         if (!probing) return select(open, sum, result);
         real3 spread = most - least;
-        mask agree = max(spread.x, max(spread.y, spread.z)) < real(0.004f);
+        mask agree = largest(spread) < real(0.004f);
         result = select(mask_and(open, agree), sum, result);
         open = mask_and(open, mask_not(agree));
         if (!any_lane(open)) return result;

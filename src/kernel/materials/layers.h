@@ -4,7 +4,6 @@
 #ifndef SUNDOG_KERNEL_MATERIALS_LAYERS_H
 #define SUNDOG_KERNEL_MATERIALS_LAYERS_H
 
-#include "kernel/lights/light.h"
 #include "kernel/materials/material.h"
 #include "kernel/materials/normal.h"
 #include "kernel/patterns/program.h"
@@ -127,7 +126,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             real3 r = layer_reflectance(layer, lobes.eta, c.rgb, cos_layer);
             if (FEATURE(FEATURE_NORMALS)) {
                 real3 weight = above * r;
-                real most = max(weight.x, max(weight.y, weight.z));
+                real most = largest(weight);
                 mask stronger = mask_and(here, most > strongest);
                 if (l == 0u) stronger = here;
                 // One that is bent away from the ray can't say where it goes on to.
@@ -138,7 +137,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             if (FEATURE(FEATURE_EXPONENTS)) {
                 if (layer.reflection_exponent != 1.0f) {
                     // One exponent for what all layers reflect.
-                    mask bends = mask_and(here, max(r.x, max(r.y, r.z)) > real(0.0f));
+                    mask bends = mask_and(here, largest(r) > real(0.0f));
                     lobes.exponent = select(bends, real(layer.reflection_exponent), lobes.exponent);
                 }
             }
@@ -158,7 +157,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         real cos_mirror = cos_in;
         if (FEATURE(FEATURE_NORMALS)) cos_mirror = -dot(layered.mirror, incoming);
         mask total = mask_and(is_total_reflection(cos_mirror, lobes.eta), mask(!for_shadow));
-        total = mask_and(total, max(above.x, max(above.y, above.z)) > real(0.0f));
+        total = mask_and(total, largest(above) > real(0.0f));
         lobes.reflectance = select(here, select(total, real3(real(1.0f)), reflectance), lobes.reflectance);
         lobes.transmittance = select(here, select(total, black, above), lobes.transmittance);
     }
@@ -215,7 +214,8 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask behind
                 if (m.double_illuminated == 0u) diffuse = select(behind, real(layer.diffuse_back), diffuse);
             }
             real matt = share * diffuse;
-            if (layer.crand > 0.0f) matt = matt - layer.crand * random_at(s.position, light_number * MAX_LAYERS + l);
+            if (layer.crand > 0.0f)
+                matt = matt - layer.crand * random_at(s.position, word(light_number * MAX_LAYERS + l));
             real3 own = layered.own[l];
             if (layer.irid > 0.0f) own = own * film_color(SCENE_ layer, s.position, cosine, abs(dot(n, to_eye)));
             base = base + select(here, own * light_color * matt, black);

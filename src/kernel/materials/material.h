@@ -119,7 +119,7 @@ FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
     if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
         real cos_in = -dot(s.normal, incoming);
         real3 t = lobes.transmittance;
-        mask transparent = max(t.x, max(t.y, t.z)) > real(0.0f);
+        mask transparent = largest(t) > real(0.0f);
         if (any_lane(fresnel)) {
             real3 opaque_reflectance = fresnel_schlick(lobes.reflectance, cos_in);
             lobes.reflectance = select(mask_and(fresnel, mask_not(transparent)), opaque_reflectance, lobes.reflectance);

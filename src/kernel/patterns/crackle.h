@@ -61,7 +61,9 @@ FN CracklePoints crackle_points(real3 p, float metric, bool thirds) {
     // The cell itself and its neighbours behind faces first: most others are then too far.
     for (uint pass = 0u; pass < 2u; pass = pass + 1u) {
         for (uint i = 0u; i < 27u; i = i + 1u) {
-            vec3 step = vec3(float(i % 3u) - 1.0f, float(i / 3u % 3u) - 1.0f, float(i / 9u) - 1.0f);
+            uint row = i / 3u % 3u;
+            uint plane = i / 9u;
+            vec3 step = vec3(float(i % 3u) - 1.0f, float(row) - 1.0f, float(plane) - 1.0f);
             bool close = abs(step.x) + abs(step.y) + abs(step.z) < 1.5f;
             if (close == (pass == 0u)) found = with_cell(found, home, within, step, metric, thirds);
         }

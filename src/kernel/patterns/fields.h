@@ -48,7 +48,7 @@ FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
     if (kind == FIELD_SPHERICAL) return max(1.0f - length(p), real(0.0f));
     if (kind == FIELD_CYLINDRICAL) return max(1.0f - sqrt(p.x * p.x + p.z * p.z), real(0.0f));
     if (kind == FIELD_PLANAR) return max(1.0f - a.y, real(0.0f));
-    if (kind == FIELD_BOXED) return max(1.0f - max(a.x, max(a.y, a.z)), real(0.0f));
+    if (kind == FIELD_BOXED) return max(1.0f - largest(a), real(0.0f));
     if (kind == FIELD_RADIAL) return angle_of(p.x, p.z) * 0.159154943f + 0.75f;
     if (kind == FIELD_LEOPARD) {
         real sum = (sine(p.x) + sine(p.y) + sine(p.z)) * 0.333333333f;

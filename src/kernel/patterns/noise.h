@@ -23,10 +23,11 @@ FN word hash_word(word x) {
 /// Bits 0..9 of a word as a number in [-1, 1].
 FN real signed_unit(word bits) { return real_from_word(bits & word(1023u)) * 0.00195503421f - 1.0f; }
 
-/// A random number in [0, 1) by a direction and a number, so that pictures don't depend on threads.
-FN real random_by_direction(real3 direction, word number) {
-    word bits = hash_word(as_word(direction.x) + hash_word(as_word(direction.y) + number));
-    return real_from_word(bits >> 8u) * (1.0f / 16777216.0f);
+/// A random number in [0, 1) that belongs to a point or a direction and a number, so that pictures don't depend on
+/// threads.
+FN real random_at(real3 p, word number) {
+    word bits = hash_word(hash_word(hash_word(as_word(p.x) + number) + as_word(p.y)) + as_word(p.z));
+    return real_from_word(bits >> 8u) * 5.96046448e-8f;
 }
 
 /// The hash of a lattice point.

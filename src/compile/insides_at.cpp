@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "compile/media_insides.h"
+#include "compile/insides_at.h"
 
 #include <algorithm>
 #include <vector>

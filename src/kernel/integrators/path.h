@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What integrators keep of a path of rays.
+#ifndef SUNDOG_KERNEL_INTEGRATORS_PATH_H
+#define SUNDOG_KERNEL_INTEGRATORS_PATH_H
+
+#include "kernel/atmosphere/media_insides.h"
+#include "kernel/materials/interior.h"
+#include "kernel/materials/reflection.h"
+#include "kernel/materials/surface.h"
+
+KERNEL_BEGIN
+
+/// A ray still to be followed, and how much of its radiance counts.
+struct PathState {
+    Ray ray;
+    real3 weight;
+    word depth;  ///< Surfaces before it on its path, in DEPTH_UNITS.
+    word kind;   ///< RAY_CAMERA, or RAY_REFLECTED from the first mirror on.
+    mask alive;
+    Insides insides;     ///< What it is inside of, as far as that is known.
+    MediaInsides media;  ///< If FEATURE_HOLLOW: of what its origin is inside, whose media it passes.
+#ifdef __cplusplus
+    real spectrum;  ///< If FEATURE_DISPERSION: its place there, 0 (violet) to 1 (red); negative: all colours.
+    uint nesting;   ///< How many path_radiance() are under way around this one.
+#endif
+};
+
+/// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
+struct FirstHit {
+    real t;
+    real3 normal;
+    real3 albedo;
+    word geometry, primitive, material;
+};
+
+/// The ray off a mirror at a surface.
+FN Ray mirrored_ray(Surface s, real3 incoming) {
+    Ray ray;
+    ray.direction = mirror_direction(incoming, s.normal);
+    // A smoothed normal can mirror a ray into the face: lift it out along the face's own normal.
+    real into = dot(ray.direction, s.geometric_normal);
+    real3 lifted = ray.direction - s.geometric_normal * (2.0f * into);
+    ray.direction = select(into < real(0.0f), lifted, ray.direction);
+    ray.origin = s.position + s.geometric_normal * s.error;
+    ray.t_min = real(0.0f);
+    ray.t_max = real(3.0e38f);
+    return ray;
+}
+
+KERNEL_END
+
+#endif
