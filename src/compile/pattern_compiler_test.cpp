@@ -147,6 +147,32 @@ TEST(Patterns, SurfacesOfOneTextureKeepTheirOwnColors) {
     EXPECT_NE(compiled->materials[1].flags & kernel::MATERIAL_TRANSPARENT, 0U);
 }
 
+// Catches turbulence that moves marble to and fro, as it moves other patterns: povray's pictures show that it goes
+// forwards only, by half of the amount in the middle, and only along x.
+TEST(Patterns, TurbulenceMovesMarbleForwards) {
+    const auto marble = [](Vec3d turbulence) {
+        auto pigment = std::make_shared<Pigment>(*gradient({{0, {}, {}}, {1, {1, 1, 1, 0, 0}, {}}}));
+        pigment->pattern.kind = Pattern::Kind::marble;
+        pigment->pattern.wave = Pattern::Wave::ramp;
+        pigment->pattern.frequency = 0.01;
+        pigment->pattern.turbulence = turbulence;
+        pigment->pattern.octaves = 1;
+        return Compiled(pigment);
+    };
+    const Compiled along = marble({1, 0, 0}), across = marble({0, 1, 1});
+    double sum = 0;
+    constexpr int kPoints = 1000;
+    for (int i = 0; i < kPoints; ++i) {
+        const float x = 0.0713F * static_cast<float>(i) + 1, y = 0.37F * static_cast<float>(i);
+        const float moved = along.at(x, y, -y).rgb.x * 100 - x;
+        EXPECT_GE(moved, -0.001F);
+        EXPECT_LE(moved, 1.001F);
+        EXPECT_NEAR(across.at(x, y, -y).rgb.x * 100, x, 0.001F);
+        sum += static_cast<double>(moved);
+    }
+    EXPECT_NEAR(sum / kPoints, 0.5, 0.05);
+}
+
 // Catches texture coordinates left out of a mesh whose only texture is a pigment on them: the kernel would read past
 // their end.
 TEST(Patterns, MeshesKeepTheCoordinatesThatPigmentsAskFor) {

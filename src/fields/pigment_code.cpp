@@ -88,6 +88,23 @@ std::optional<std::uint32_t> choice_of(Pattern::Kind kind) {
     }
 }
 
+std::uint32_t octaves_of(int octaves) { return static_cast<std::uint32_t>(std::clamp(octaves, 1, 10)); }
+
+/// How a pattern's turbulence moves points.
+std::uint32_t way_of(Pattern::Kind kind) {
+    switch (kind) {
+        case Pattern::Kind::marble:
+            return kernel::STIR_X;
+        case Pattern::Kind::wood:
+            return kernel::STIR_WAVES;
+        case Pattern::Kind::spiral1:
+        case Pattern::Kind::spiral2:
+            return kernel::STIR_ALL_Z;
+        default:
+            return kernel::STIR_ALL;
+    }
+}
+
 /// The wave form of a pattern that names none.
 std::uint32_t standard_wave(Pattern::Kind kind) {
     switch (kind) {
@@ -167,7 +184,8 @@ public:
             point = write_warp(step.warp, point, base + 1, slot);
         }
         point = write_transform(pattern.pattern_from_texture, point, base + 1);
-        return write_turbulence(pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega, point, base + 1);
+        const Stirring stirring{pattern.turbulence, pattern.octaves, pattern.lambda, pattern.omega};
+        return write_turbulence(stirring, way_of(pattern.kind), noise_generator_of(pattern), point, base + 1);
     }
 
 private:
@@ -197,19 +215,25 @@ private:
         return to;
     }
 
-    std::uint32_t write_turbulence(const Vec3d& amount, int octaves, double lambda, double omega, std::uint32_t from,
-                                   std::uint32_t to) {
-        if (amount == Vec3d{}) return from;
+    struct Stirring {
+        Vec3d amount;
+        int octaves;
+        double lambda, omega;
+    };
+    std::uint32_t write_turbulence(const Stirring& stirring, std::uint32_t way, std::uint32_t generator,
+                                   std::uint32_t from, std::uint32_t to) {
+        if (stirring.amount == Vec3d{}) return from;
         instruction(kernel::OP_TURBULENCE, to, from);
-        put(amount);
-        code_.push_back(static_cast<std::uint32_t>(std::clamp(octaves, 1, 10)));
-        put(lambda), put(omega);
+        put(stirring.amount);
+        code_.push_back(generator | octaves_of(stirring.octaves) << 8U | way << 16U);
+        put(stirring.lambda), put(stirring.omega);
         return to;
     }
 
     std::uint32_t write_warp(const scene::Warp& warp, std::uint32_t from, std::uint32_t to, std::uint32_t slot) {
         if (warp.kind == scene::Warp::Kind::turbulence)
-            return write_turbulence(warp.turbulence, warp.octaves, warp.lambda, warp.omega, from, to);
+            return write_turbulence({warp.turbulence, warp.octaves, warp.lambda, warp.omega}, kernel::STIR_ALL, 0, from,
+                                    to);
         instruction(kernel::OP_HOST_WARP, to, from, slot);
         code_.push_back(host_.add(make_host_warp(warp), *where_));
         return to;
@@ -253,9 +277,13 @@ private:
         const bool spiral = pattern.kind == Pattern::Kind::spiral1 || pattern.kind == Pattern::Kind::spiral2;
         Vec3d parameters = normalize(pattern.axis);
         if (spiral) parameters = {static_cast<double>(pattern.arms), 0, 0};
-        if (pattern.kind == Pattern::Kind::agate) parameters = {pattern.agate_turbulence, 0, 0};
+        std::uint32_t octaves = 0;
+        if (pattern.kind == Pattern::Kind::agate) {
+            parameters = {pattern.agate_turbulence, pattern.lambda, pattern.omega};
+            octaves = octaves_of(pattern.octaves);
+        }
         put(field ? parameters : Vec3d{});
-        code_.push_back(noise_generator_of(pattern));
+        code_.push_back(noise_generator_of(pattern) | octaves << 8U);
     }
 
     void write_choice(const Pattern& pattern, std::uint32_t slot, std::uint32_t base) {

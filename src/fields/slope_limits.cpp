@@ -37,7 +37,7 @@ double field_limit(const Pattern& pattern) {
         case Kind::wrinkles:
             return 10 * noise;
         case Kind::granite:
-            return 6 * 4 * 2.1 * noise;
+            return 6 * 4 * 1.95 * noise;
         case Kind::boxed:
         case Kind::cylindrical:
         case Kind::planar:

@@ -94,8 +94,8 @@ KERNEL_CONST uint PROGRAM_SLOTS = 8u;
 KERNEL_CONST uint OP_END = 0u;
 KERNEL_CONST uint OP_SOLID = 1u;      ///< colour[target] = 5 floats: red, green, blue, filter, transmit.
 KERNEL_CONST uint OP_TRANSFORM = 2u;  ///< point[target] = affine map (columns x, y, z, t) of point[source].
-KERNEL_CONST uint OP_FIELD =
-    3u;  ///< value[target] = field at point[source]: FIELD_*, 3 floats of parameters, noise generator.
+/// value[target] = field at point[source]: FIELD_*, 3 floats of parameters, noise generator | octaves << 8.
+KERNEL_CONST uint OP_FIELD = 3u;
 KERNEL_CONST uint OP_WAVE = 4u;    ///< value[target] = wave form of itself: WAVE_*, frequency, phase, exponent.
 KERNEL_CONST uint OP_MAP = 5u;     ///< colour[target] = map at value[source]: count, then position and 5 floats each.
 KERNEL_CONST uint OP_CHOICE = 6u;  ///< value[target] = which of a list is at point[source]: CHOICE_* and 4 floats.
@@ -107,8 +107,9 @@ KERNEL_CONST uint OP_ENTER_MAP = 9u;    ///< A map's: positions of the entry bef
 KERNEL_CONST uint OP_ENTER_PICK = 10u;  ///< A choice's: its number; skip.
 KERNEL_CONST uint OP_IMAGE =
     11u;  ///< colour[target] = picture at point[source]: texture, flags, map type, filter, transmit.
-KERNEL_CONST uint OP_TURBULENCE =
-    12u;  ///< point[target] = point[source] stirred: 3 floats of amounts, octaves, lambda, omega.
+/// point[target] = point[source] stirred: 3 floats of amounts, noise generator | octaves << 8 | STIR_* << 16, lambda,
+/// omega.
+KERNEL_CONST uint OP_TURBULENCE = 12u;
 KERNEL_CONST uint OP_ENTER_SHARE = 13u;  ///< An average's: its share, the same everywhere; 0.
 KERNEL_CONST uint OP_BLEND = 14u;        ///< Ends an entry: colour[target] += share[target] * colour[target + 1].
 KERNEL_CONST uint OP_GRAY = 15u;         ///< value[target] = grey of colour[source]; its alpha if the operand is 1.
@@ -133,7 +134,7 @@ KERNEL_CONST uint FIELD_WOOD = 8u;
 KERNEL_CONST uint FIELD_MARBLE = 9u;
 KERNEL_CONST uint FIELD_SPIRAL1 = 10u;
 KERNEL_CONST uint FIELD_SPIRAL2 = 11u;
-// With noise; the fourth parameter is the noise generator, 1 to 3.
+// With noise; the fourth parameter holds the noise generator, 1 to 3, and agate's octaves.
 KERNEL_CONST uint FIELD_NOISE = 12u;  ///< bozo, spotted, bumps
 KERNEL_CONST uint FIELD_GRANITE = 13u;
 KERNEL_CONST uint FIELD_AGATE = 14u;
@@ -143,6 +144,12 @@ KERNEL_CONST uint FIELD_CELLS = 17u;
 KERNEL_CONST uint FIELD_CRACKLE = 18u;
 KERNEL_CONST uint FIELD_RIPPLES = 19u;
 KERNEL_CONST uint FIELD_WAVES = 20u;
+
+/// How OP_TURBULENCE moves points. See kernel/patterns/fields.h.
+KERNEL_CONST uint STIR_ALL = 0u;    ///< By a vector.
+KERNEL_CONST uint STIR_X = 1u;      ///< marble: along x alone, and forwards.
+KERNEL_CONST uint STIR_ALL_Z = 2u;  ///< Spirals: by a vector, and along z forwards.
+KERNEL_CONST uint STIR_WAVES = 3u;  ///< wood: by waves of their places, along x and y.
 
 /// Lists of OP_CHOICE.
 KERNEL_CONST uint CHOICE_CHECKER = 0u;

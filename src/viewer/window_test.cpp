@@ -165,6 +165,33 @@ TEST_F(WindowTest, FollowsEditsAndShowsTheirErrors) {
     })) << "the edit was not shown";
 }
 
+// Catches POV-Ray scenes whose own camera can't be left or found again, edits of included files that go unnoticed, and
+// broken ones that end the picture.
+TEST_F(WindowTest, ShowsPovScenesAndFollowsTheirIncludes) {
+    write("paint.inc", "#declare Left = rgb <0.9, 0.1, 0.1>;\n");
+    write("walls.pov",
+          "#version 3.7;\n#include \"paint.inc\"\nglobal_settings { assumed_gamma 1 }\n"
+          "camera { location <0, 1, -5> look_at 0 angle 60 }\nlight_source { <1, 3, -4> rgb 1 }\n"
+          "box { <-2, -1, -0.1>, <0, 1, 0> pigment { Left } rotate -y*20 }\n"
+          "box { <0, -1, -0.1>, <2, 1, 0> pigment { rgb <0.1, 0.9, 0.1> } rotate y*20 }\n"
+          "background { rgb <0.2, 0.3, 0.6> }\n");
+    open(kStill, {"walls.pov"});
+    const Screenshot home = settled();
+    const Screenshot no_message = messages();
+    drag(1, 90, 50);
+    EXPECT_TRUE(becomes([&] { return difference(picture(), home, 30) > kMoved; })) << "the camera stays";
+    press("Home");
+    EXPECT_TRUE(becomes([&] { return difference(picture(), home, 30) < kSame; })) << "the camera stays away";
+    write("paint.inc", "#declare Left = rgb <0.1, 0.1;\n");
+    EXPECT_TRUE(becomes([&] { return difference(messages(), no_message, 30) > 0.2; })) << "no message";
+    EXPECT_LT(difference(picture(), home, 30), kSame);
+    write("paint.inc", "#declare Left = rgb <0.1, 0.1, 0.9>;\n");
+    EXPECT_TRUE(becomes([&] {
+        const std::uint32_t left = picture().at(10, 50);
+        return (left & 0xff) > 2 * (left >> 16);  // blue now, where it was red
+    })) << "the edit was not shown";
+}
+
 // Catches settings of raytracer.conf that the window doesn't heed: its size, whether it fills the screen, the moment.
 TEST_F(WindowTest, HeedsTheConfiguration) {
     const std::string settings = "defaultScene = walls.scene\nwidth = 320\nheight = 240\nfreeze = 0.25\n";

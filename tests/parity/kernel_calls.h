@@ -232,7 +232,7 @@ FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
     uint kind = uint(u.v[12]);
     real3 p = vector_of(a, 0u);
     if (function == CALL_SINE) r.v[0] = sine(a.v[0]);
-    if (function == CALL_FIELD) r.v[0] = field_value(kind, p, vec3(u.v[13], 0.5f, 0.25f), 1u + kind % 3u);
+    if (function == CALL_FIELD) r.v[0] = field_value(kind, p, vec3(u.v[13], 0.5f, 0.25f), (1u + kind % 3u) | (3u << 8u));
     if (function == CALL_WAVE) r.v[0] = wave_value(kind, a.v[0], u.v[13], u.v[0], u.v[14]);
     if (function == CALL_CHOICE) r.v[0] = choice_value(kind, p, vec3(u.v[13], 1.5f, 2.0f), 0.25f);
     if (function == CALL_IMAGE_POSITION) {

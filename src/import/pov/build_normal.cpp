@@ -70,6 +70,11 @@ PigmentEntries heights_of(std::vector<SlopeEntry> slopes) {
     return heights;
 }
 
+/// Whether a pattern's turbulence is part of its slope. Others only have it moved.
+bool is_stirred_inside(scene::Pattern::Kind kind) {
+    return kind == scene::Pattern::Kind::marble || kind == scene::Pattern::Kind::wood;
+}
+
 /// The pattern as heights, at its own points.
 std::shared_ptr<const Pigment> height_of(const scene::Pattern& pattern, PigmentEntries heights, SourceLocation where) {
     auto pigment = std::make_shared<Pigment>();
@@ -77,7 +82,7 @@ std::shared_ptr<const Pigment> height_of(const scene::Pattern& pattern, PigmentE
     pigment->pattern = pattern;
     pigment->pattern.pattern_from_texture = {};
     pigment->pattern.warps.clear();
-    pigment->pattern.turbulence = {};
+    if (!is_stirred_inside(pattern.kind)) pigment->pattern.turbulence = {};
     pigment->entries = std::move(heights);
     const std::size_t choices = choice_count(pattern.kind);
     pigment->kind = choices > 0 ? Pigment::Kind::choice : Pigment::Kind::mapped;
@@ -283,7 +288,10 @@ private:
         PatternNormal result = part();
         const auto special = special_kind(parts_.pattern.kind);
         result.kind = special.value_or(PatternNormal::Kind::pattern);
-        if (!special) result.height = height_of(parts_.pattern, heights_of(slopes_), context_.location(block_.where));
+        if (!special) {
+            result.height = height_of(parts_.pattern, heights_of(slopes_), context_.location(block_.where));
+            if (is_stirred_inside(result.pattern.kind)) result.pattern.turbulence = {};
+        }
         return result;
     }
 

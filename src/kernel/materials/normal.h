@@ -64,7 +64,7 @@ FN real3 normal_offset(SCENE uint kind, PatternPoint at, uint program, float fir
     if (kind == NORMAL_HOST) return ask_host(SCENE_ program, p, at, at.asking);
 #endif
     if (kind == NORMAL_RIPPLES || kind == NORMAL_WAVES) return rings_slope(p, kind == NORMAL_RIPPLES, first, second);
-    if (kind == NORMAL_BUMPS) return noise_vector(p) * real(1.03f);
+    if (kind == NORMAL_BUMPS) return noise_vector(p) * real(0.97f);
     if (kind == NORMAL_DENTS) {
         real n = noise_value(p, program);
         return noise_vector(p) * (n * n * n * 1.02f);
@@ -72,7 +72,7 @@ FN real3 normal_offset(SCENE uint kind, PatternPoint at, uint program, float fir
     real3 sum = real3(real(0.0f));  // wrinkles
     float scale = 1.0f;
     for (uint i = 0u; i < 10u; i = i + 1u) {
-        sum = sum + abs(noise_vector(p * real(scale))) * real(0.95f / scale);
+        sum = sum + abs(noise_vector(p * real(scale))) * real(1.01f / scale);
         scale = scale * 2.0f;
     }
     return sum;

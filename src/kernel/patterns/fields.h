@@ -11,12 +11,29 @@
 
 KERNEL_BEGIN
 
-/// A field of noise before its wave form. `parameters`: agate's x is its amount of turbulence.
-FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint generator) {
+/// A point moved by turbulence, in one of the ways STIR_*.
+FN real3 stirred_point(uint way, real3 p, vec3 amount, uint octaves, float lambda, float omega, uint generator) {
+    if (way == STIR_X) {
+        p.x = p.x + amount.x * turbulence_sum(p, octaves, lambda, omega, generator);
+        return p;
+    }
+    real3 noise = turbulence_vector(p, octaves, lambda, omega);
+    if (way == STIR_WAVES) {
+        real3 turns = (noise + p) * real3(amount);
+        return real3(p.x + sine(turns.x * 6.28318531f), p.y + sine(turns.y * 6.28318531f), p.z);
+    }
+    real3 moved = p + real3(amount) * noise;
+    if (way == STIR_ALL_Z) moved.z = moved.z + amount.x * turbulence_sum(p, octaves, lambda, omega, generator);
+    return moved;
+}
+
+/// A field of noise before its wave form. `parameters`: of agate its amount of turbulence, lambda and omega.
+FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint noise) {
+    uint generator = noise & 255u;
     if (kind == FIELD_NOISE) return noise_value(p, generator);
-    if (kind == FIELD_GRANITE) return min(folded_noise(p, 6u, 4.0f, generator) * 2.1f, real(1.0f));
+    if (kind == FIELD_GRANITE) return min(folded_noise(p, 6u, 4.0f, generator) * 1.95f, real(1.0f));
     if (kind == FIELD_WRINKLES)
-        return clamp(0.5f + turbulence_scalar(p, 10u, 2.0f, 0.5f, generator), real(0.0f), real(1.0f));
+        return clamp(0.5f + 0.97f * turbulence_scalar(p, 10u, 2.0f, 0.5f, generator), real(0.0f), real(1.0f));
     if (kind == FIELD_DENTS) {
         real n = noise_value(p, generator);
         return n * n * n;
@@ -28,21 +45,20 @@ FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint generator) {
     if (kind == FIELD_CRACKLE) return crackle_value(p);
     if (kind == FIELD_RIPPLES || kind == FIELD_WAVES) return rings_value(p, kind == FIELD_RIPPLES);
     // agate: bands across z, bent by turbulence.
-    real bent = turbulence_scalar(p, 6u, 2.0f, 0.5f, generator) * (2.6f * parameters.x);
+    real bent = turbulence_sum(p, noise >> 8u, parameters.y, parameters.z, generator) * (1.3f * parameters.x);
     real band = 0.5f + 0.5f * sine((bent + 1.1f * p.z) * 6.28318531f);
     return power(band, real(0.77f));
 }
 
 /// A field before its wave form. `parameters`: gradient's unit axis; spirals: x is the number of arms.
-FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
-    if (kind >= FIELD_NOISE) return noise_field_value(kind, p, parameters, generator);
+FN real field_value(uint kind, real3 p, vec3 parameters, uint noise) {
+    if (kind >= FIELD_NOISE) return noise_field_value(kind, p, parameters, noise);
     real3 a = abs(p);
     if (kind == FIELD_GRADIENT) {
-        // The remainder keeps the sign of what is divided, which shows where a frequency isn't whole.
         real x = dot(p, real3(parameters));
         // The end of the first unit is the end of the map: the top of a unit box is not of the colour of its bottom.
-        real beyond = select(x <= real(1.0f), x, fraction(x));
-        return select(x < real(0.0f), -fraction(-x), beyond);
+        // Only beyond is the remainder taken, which shows where a frequency isn't whole.
+        return select(x <= real(1.0f), x, fraction(x));
     }
     if (kind == FIELD_ONION) return fraction(length(p));
     if (kind == FIELD_SPHERICAL) return max(1.0f - length(p), real(0.0f));
@@ -56,7 +72,8 @@ FN real field_value(uint kind, real3 p, vec3 parameters, uint generator) {
     }
     if (kind == FIELD_WOOD) return sqrt(p.x * p.x + p.y * p.y);
     if (kind == FIELD_MARBLE) return p.x;
-    real turns = (angle_of(p.y, p.x) * 0.159154943f + 0.25f) * parameters.x;
+    // Counted from -y, which shows where a frequency isn't whole.
+    real turns = fraction(angle_of(p.y, p.x) * 0.159154943f + 0.25f) * parameters.x;
     real radius = sqrt(p.x * p.x + p.y * p.y);
     if (kind == FIELD_SPIRAL1) return radius + turns + p.z;
     // spiral2: rings lie over them.

@@ -68,7 +68,7 @@ FN real lattice_sum(real3 p, uint seed, float gradient_share, float value_share)
 
 /// Mean and standard deviation of noise_value().
 FN float noise_mean(uint generator) { return generator == 1u ? 0.481f : generator == 2u ? 0.506f : 0.489f; }
-FN float noise_deviation(uint generator) { return generator == 1u ? 0.232f : generator == 2u ? 0.117f : 0.151f; }
+FN float noise_deviation(uint generator) { return generator == 1u ? 0.255f : generator == 2u ? 0.126f : 0.146f; }
 
 /// noise_value()'s share of slopes (of values it is 1), and one over the standard deviation of the sum of such shares.
 const float NOISE_SLOPE_SHARE = 1.7f;
@@ -81,10 +81,10 @@ FN real noise_value(real3 p, uint generator) {
     return clamp(noise_mean(generator) + noise_deviation(generator) * sum, real(0.0f), real(1.0f));
 }
 
-/// Three independent noises of mean 0 and standard deviation 0.243.
+/// Three independent noises of mean 0 and standard deviation 0.256.
 FN real3 noise_vector(real3 p) {
-    return real3(lattice_sum(p, 0x51u, 1.333f, 0.0f), lattice_sum(p, 0xa2u, 1.333f, 0.0f),
-                 lattice_sum(p, 0xf3u, 1.333f, 0.0f));
+    return real3(lattice_sum(p, 0x51u, 1.4f, 0.0f), lattice_sum(p, 0xa2u, 1.4f, 0.0f),
+                 lattice_sum(p, 0xf3u, 1.4f, 0.0f));
 }
 
 /// Sum of `octaves` noises, each `lambda` times finer and `omega` times weaker than the one before.
@@ -113,15 +113,21 @@ FN real turbulence_scalar(real3 p, uint octaves, float lambda, float omega, uint
     return sum;
 }
 
-/// And each noise as it is, from 0 up.
+/// A sum of noises from 0 up: of generators 2 and 3 they count over twice their range, the first cut off at 0 and 1; as
+/// povray's pictures of marble show it.
 FN real turbulence_sum(real3 p, uint octaves, float lambda, float omega, uint generator) {
+    real sum = real(0.0f);
+    float frequency = 1.0f;
     float weight = 1.0f;
-    float weights = 0.0f;
     for (uint i = 0u; i < octaves; i = i + 1u) {
-        weights = weights + weight;
+        real n = noise_value(p * real(frequency), generator);
+        if (generator != 1u) n = 2.0f * n - 0.5f;
+        if (i == 0u) n = clamp(n, real(0.0f), real(1.0f));
+        sum = sum + n * weight;
+        frequency = frequency * lambda;
         weight = weight * omega;
     }
-    return turbulence_scalar(p, octaves, lambda, omega, generator) + 0.5f * weights;
+    return sum;
 }
 
 /// Sum of `octaves` folded noises, from frequency `first` on by doubling and halving: sharp creases.

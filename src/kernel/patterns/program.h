@@ -229,9 +229,9 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             pc = pc + 1u;
 #endif
         } else if (op == OP_TURBULENCE) {
-            real3 stirred = turbulence_vector(points[source], AT(code, pc + 3u), code_float(SCENE_ pc + 4u),
-                                              code_float(SCENE_ pc + 5u));
-            points[target] = points[source] + real3(code_vec3(SCENE_ pc)) * stirred;
+            uint how = AT(code, pc + 3u);
+            points[target] = stirred_point(how >> 16u, points[source], code_vec3(SCENE_ pc), (how >> 8u) & 255u,
+                                           code_float(SCENE_ pc + 4u), code_float(SCENE_ pc + 5u), how & 255u);
             pc = pc + 6u;
         } else {  // OP_IMAGE
             colors[target] = image_color(SCENE_ pc, points[source]);
