@@ -12,6 +12,7 @@ namespace sundog {
 struct StoredPhoton {
     Vec3 position;
     Vec3 direction;  ///< Unit, in which it flew.
+    Vec3 normal;     ///< Unit, of the surface that it met, on its side; zero in media.
     Vec3 power;      ///< Linear RGB. In media: flux times the length of the way that it stands for.
     friend bool operator==(const StoredPhoton&, const StoredPhoton&) = default;
 };

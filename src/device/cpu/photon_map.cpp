@@ -17,8 +17,9 @@ constexpr std::size_t kSerial = 8192;
 /// Photons off a surface's plane: further squares of the distance from it that count.
 constexpr float kFlattening = 15;
 constexpr std::size_t kMostLevels = 40;
-
-/// Before the mean distance of photons that share a place: how many samples of them tell it.
+/// Cosine between surfaces whose photons count for each other, at least.
+constexpr float kLeastAlike = 0.5F;
+/// Of how many photons the surroundings are looked at.
 constexpr std::size_t kSamples = 256;
 
 float squared(float x) { return x * x; }
@@ -96,7 +97,7 @@ void PhotonMap::collect(const Search& search, float radius, Scratch& scratch) co
             if (distance > limit) continue;
             if (flat) {
                 distance += kFlattening * squared(dot(d, search.normal));
-                if (distance > limit || dot(photon.direction, search.normal) >= 0) continue;
+                if (distance > limit || dot(photon.normal, search.normal) < kLeastAlike) continue;
             }
             found.push_back({distance, static_cast<std::uint32_t>(i)});
         }

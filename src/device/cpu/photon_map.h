@@ -16,8 +16,8 @@ public:
     /// Which photons are wanted.
     struct Search {
         Vec3 point;
-        /// On a surface: unit; only photons that fly against it count, and those off the surface's plane are as if four
-        /// times as far off it. Zero: all count alike.
+        /// On a surface: unit; only photons count that lie on surfaces that face about the same way, and those off the
+        /// surface's plane are as if four times as far off it. Zero: all count alike.
         Vec3 normal;
         int most = 100;    ///< The nearest ones.
         float radius = 0;  ///< None further away.

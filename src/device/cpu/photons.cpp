@@ -22,7 +22,7 @@ constexpr std::uint32_t kPiece = 1024;
 constexpr std::uint64_t kRound = 32768;
 constexpr double kMostShot = 1e9;
 /// Guessed radii, over those that as many photons take as are gathered at most: povray's are as wide.
-constexpr float kWider = 6;
+constexpr float kWider = 6, kWiderInMedia = 3;
 constexpr int kExpansions = 2;
 
 constexpr auto kPi = static_cast<float>(std::numbers::pi);
@@ -249,7 +249,7 @@ void Photons::index(const StoredPhotons& photons) {
     media_ = PhotonMap(photons.media);
     const int most = settings_.gather_max;
     radius_ = settings_.radius > 0 ? settings_.radius : surface_.typical_radius(most) * kWider;
-    media_radius_ = settings_.media_radius > 0 ? settings_.media_radius : media_.typical_radius(most);
+    media_radius_ = settings_.media_radius > 0 ? settings_.media_radius : media_.typical_radius(most) * kWiderInMedia;
     radius_ = std::max(radius_ * settings_.radius_factor, 1e-15F);
     media_radius_ = std::max(media_radius_ * settings_.media_radius_factor, 1e-12F);
 }

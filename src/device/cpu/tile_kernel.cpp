@@ -376,6 +376,7 @@ private:
             if (a.stored[lane] != 0)
                 out.push_back({{a.x[lane], a.y[lane], a.z[lane]},
                                {a.direction_x[lane], a.direction_y[lane], a.direction_z[lane]},
+                               {a.normal_x[lane], a.normal_y[lane], a.normal_z[lane]},
                                {a.red[lane], a.green[lane], a.blue[lane]}});
     }
     StoredPhotons& stored_;

@@ -18,12 +18,12 @@ namespace sundog::pov {
 namespace {
 
 constexpr std::string_view kFormat = "sundog photons 1\n";
-constexpr std::size_t kFloats = 9;
+constexpr std::size_t kFloats = 12;
 constexpr std::size_t kBytes = kFloats * 4;
 
 std::array<float, kFloats> floats_of(const StoredPhoton& p) {
-    return {p.position.x, p.position.y, p.position.z, p.direction.x, p.direction.y,
-            p.direction.z, p.power.x,    p.power.y,    p.power.z};
+    return {p.position.x, p.position.y, p.position.z, p.direction.x, p.direction.y, p.direction.z,
+            p.normal.x,   p.normal.y,   p.normal.z,   p.power.x,     p.power.y,     p.power.z};
 }
 
 void append(const std::vector<StoredPhoton>& photons, std::string& out) {
@@ -43,7 +43,7 @@ StoredPhoton photon_at(const char* bytes) {
             bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i * 4 + k])) << (8 * k);
         v[i] = std::bit_cast<float>(bits);
     }
-    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}};
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}};
 }
 
 /// Writes to a file once it is asked to, whole or not at all.
@@ -92,7 +92,7 @@ StoredPhotons photons_of_bytes(std::string_view bytes) {
         const StoredPhoton photon = photon_at(bytes.data() + i * kBytes);
         const std::array<float, kFloats> v = floats_of(photon);
         if (!std::all_of(v.begin(), v.end(), [](float x) { return std::isfinite(x); }))
-            throw std::runtime_error("photon " + std::to_string(i + 1) + " is no place, direction and power");
+            throw std::runtime_error("photon " + std::to_string(i + 1) + " is no place, directions and power");
         (i < surface ? photons.surface : photons.media).push_back(photon);
     }
     return photons;

@@ -12,7 +12,7 @@
 namespace sundog::pov {
 
 /// The contents of such a file: a line that names the format, one with the numbers of photons on surfaces and in
-/// media, then for each of them nine 32-bit floats, lowest byte first: place, direction, power.
+/// media, then for each of them twelve 32-bit floats, lowest byte first: place, direction, surface's normal, power.
 std::string photon_file_bytes(const StoredPhotons& photons);
 
 /// The reverse. Errors: std::runtime_error that says what is wrong.

@@ -22,6 +22,7 @@ struct PhotonArrivals {
     int lanes = 0;                                       ///< Of the arrays' places, how many there are.
     std::array<uint, PhotonQuery::kMostLanes> stored{};  ///< 1 where there is one.
     Lanes x, y, z, direction_x, direction_y, direction_z, red, green, blue;
+    Lanes normal_x, normal_y, normal_z;  ///< Unit, of a surface, on the side that the photon came to; zero in media.
 };
 
 /// Takes photons. One for each call of follow_photons().
@@ -71,7 +72,8 @@ FN real photon_growth(Light light, real travelled) {
 }
 
 /// Hands photons at `place` to the sink.
-inline void put_photons(real3 place, real3 direction, real3 power, mask stored, PhotonArrivals& arrivals) {
+inline void put_photons(real3 place, real3 direction, real3 normal, real3 power, mask stored,
+                        PhotonArrivals& arrivals) {
     arrivals.lanes = static_cast<int>(sizeof(real) / sizeof(float));  // NOLINT(bugprone-sizeof-expression)
     store_lanes(select(stored, word(1u), word(0u)), arrivals.stored);
     store_lanes(place.x, arrivals.x);
@@ -80,6 +82,9 @@ inline void put_photons(real3 place, real3 direction, real3 power, mask stored, 
     store_lanes(direction.x, arrivals.direction_x);
     store_lanes(direction.y, arrivals.direction_y);
     store_lanes(direction.z, arrivals.direction_z);
+    store_lanes(normal.x, arrivals.normal_x);
+    store_lanes(normal.y, arrivals.normal_y);
+    store_lanes(normal.z, arrivals.normal_z);
     store_lanes(power.x, arrivals.red);
     store_lanes(power.y, arrivals.green);
     store_lanes(power.z, arrivals.blue);
@@ -114,7 +119,8 @@ inline void store_in_media(SCENE Light light, PhotonShot shot, real3 power, Phot
             passes = passes * dimmed_by(extinction * way);
             real grown = photon_growth(light, p.travelled + at) * step;
             PhotonArrivals arrivals;
-            put_photons(place, p.path.ray.direction, power * p.path.weight * passes * grown, going, arrivals);
+            put_photons(place, p.path.ray.direction, real3(real(0.0f)), power * p.path.weight * passes * grown, going,
+                        arrivals);
             sink.in_medium(arrivals);
             at = at + step;
             going = mask_and(going, at < end);
@@ -237,7 +243,7 @@ inline void follow_photons(SCENE Light light, PhotonShot shot, real3 power, Phot
             mask stored = mask_and(found, (flags & word(PHOTONS_COLLECT)) != word(0u));
             if (!first && any_lane(stored)) {
                 PhotonArrivals arrivals;
-                put_photons(at.s.position, p.path.ray.direction,
+                put_photons(at.s.position, p.path.ray.direction, at.s.geometric_normal,
                             power * p.path.weight * photon_growth(light, p.travelled), stored, arrivals);
                 sink.on_surface(arrivals);
             }
