@@ -156,6 +156,8 @@ FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(Ra
     for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
         Light light = AT(lights, i);
         if ((light.flags & LIGHT_PASSES_MEDIA) != 0u) continue;
+        // What is blind to photons gets the light that they stand for along shadow rays.
+        if (!r.group.collects) light.flags = light.flags | LIGHT_PHOTONS_NEVER_REFRACT;
         real distance;
         real3 to_light = direction_to_light(light, p, distance);
         real3 color = real3(light.color);
@@ -173,7 +175,7 @@ FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(Ra
             point.glow = point.glow + scatterers.color[k] * color * phase;
         }
     }
-    if (FEATURE(FEATURE_PHOTONS) && scene.photons->has_media()) {
+    if (FEATURE(FEATURE_PHOTONS) && r.group.collects && scene.photons->has_media()) {
         PhotonQuery query;
         set_photon_query(p, scatters, query);
         scene.photons->in_medium(query);

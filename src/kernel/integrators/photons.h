@@ -98,12 +98,7 @@ inline void store_in_media(SCENE Light light, PhotonShot shot, real3 power, Phot
     while (any_lane(todo)) {
         MediaGroup group;
         mask here = take_alike(SCENE_ p.path.media, FRAME.atmosphere != NONE, todo, group);
-        bool collects = false;
-        for (uint k = 0u; k < group.count; k = k + 1u) {
-            for (uint i = 0u; i < AT(code, group.list[k]); i = i + 1u)
-                collects = collects || AT(code, group.list[k] + 13u + i * MEDIUM_WORDS + 21u) != 0u;
-        }
-        if (group.count == 0u || !group.scatters || !collects) continue;
+        if (group.count == 0u || !group.scatters || !group.collects) continue;
         // As many as there may be, further apart where they would be more. Endless ways have them near the begin.
         real step = real(shot.media_step);
         real spread = min(end, real(shot.media_step * 64.0f * float(shot.media_steps)));
