@@ -125,9 +125,9 @@ struct PhotonMapping {
     float expand_increase = 0.2F;  ///< A wider search doesn't count if it finds light denser by more than this …
     int expand_min = 40;           ///< … and at least so many photons.
     float radius = 0, radius_factor = 1, media_radius = 0, media_radius_factor = 1;  ///< Radius 0: guessed.
-    std::vector<LightInsides> insides;            ///< For each light.
-    std::shared_ptr<const StoredPhotons> loaded;  ///< Instead of shooting.
-    std::shared_ptr<const PhotonStore> store;     ///< Where they are kept once shot; null: nowhere.
+    std::vector<LightInsides> insides;                                               ///< For each light.
+    std::shared_ptr<const StoredPhotons> loaded;                                     ///< Instead of shooting.
+    std::shared_ptr<const PhotonStore> store;  ///< Where they are kept once shot; null: nowhere.
     friend bool operator==(const PhotonMapping&, const PhotonMapping&) = default;
 };
 

@@ -24,11 +24,11 @@ KERNEL_CONST uint GEOMETRY_PLANE = 3u;
 KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 
 /// What a ray is for, as bits: a geometry may be hidden from some of them.
-KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
-KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
-KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
-KERNEL_CONST uint RAY_RADIOSITY = 8u;  ///< From a point whose irradiance is gathered.
-KERNEL_CONST uint RAY_PHOTON = 16u;    ///< A photon's from its light, to what it was shot at.
+KERNEL_CONST uint RAY_CAMERA = 1u;         ///< From the eye, and on through what is transparent.
+KERNEL_CONST uint RAY_REFLECTED = 2u;      ///< From a mirror, and all that comes after it.
+KERNEL_CONST uint RAY_SHADOW = 4u;         ///< Towards a light.
+KERNEL_CONST uint RAY_RADIOSITY = 8u;      ///< From a point whose irradiance is gathered.
+KERNEL_CONST uint RAY_PHOTON = 16u;        ///< A photon's from its light, to what it was shot at.
 KERNEL_CONST uint RAY_LATER_PHOTON = 32u;  ///< And from there on.
 /// Through what lights are projected: the first of 24 such bits, of which each object that lights shine through has
 /// one.

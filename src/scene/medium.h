@@ -27,7 +27,7 @@ struct Medium {
     float aa_threshold = 0.1F;  ///< … by more than this.
     float jitter = 0;           ///< How far samples are moved off their places, as a share of the way to the next one.
     bool collects_photons = true;
-    float ratio = 0.9F;         ///< Share of the intervals that is in what spots light, where any do.
+    float ratio = 0.9F;  ///< Share of the intervals that is in what spots light, where any do.
 };
 
 }  // namespace sundog::scene

@@ -224,7 +224,7 @@ struct Object {
     bool seen_in_reflections = true;  ///< no_reflection
     bool seen_by_radiosity = true;    ///< no_radiosity
     ObjectPhotons photons;
-    std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
+    std::uint32_t projects = 0;  ///< Not seen at all: what some Light::projection shines through; 1 to 24.
 };
 
 /// Settings that a scene file may fix and the command line may overrule.

@@ -75,15 +75,12 @@ TEST_F(Safety, ScenesCannotWriteElsewhere) {
 TEST_F(Safety, PhotonsAreSavedBelowTheOutput) {
     const auto photons = [](const std::string& items) {
         return "global_settings { photons { " + items +
-               " } }
-plane { y, -2 pigment { rgb 1 } }
-"
-               "sphere { 2*x, 0.5 pigment { rgb 1 } finish { reflection 1 } photons { target reflection on } }
-";
+               " } }\nplane { y, -2 pigment { rgb 1 } }\n"
+               "sphere { 2*x, 0.5 pigment { rgb 1 } finish { reflection 1 } photons { target reflection on } }\n";
     };
     fs::create_symlink(secret(), work() / "link.ph");
-    for (const fs::path& file : {secret(), fs::path("../secret.txt"), fs::path("link.ph"), fs::path(".photons"),
-                                 fs::path("/dev/null")}) {
+    for (const fs::path& file :
+         {secret(), fs::path("../secret.txt"), fs::path("link.ph"), fs::path(".photons"), fs::path("/dev/null")}) {
         SCOPED_TRACE(file.string());
         expect_refused(render(photons("count 2000 save_file \"" + file.string() + "\"")), "can't write to");
     }

@@ -120,7 +120,9 @@ TEST_F(PhotonScene, ParallelLightStaysParallel) {
     add_mirror();
     const Film film = picture();
     const double wanted = 1 / std::sqrt(1.25);
-    EXPECT_NEAR(mean_ratio(film, 0.7, [&](double, double) { return wanted; }, -2.5), 1, 0.02);
+    EXPECT_NEAR(mean_ratio(
+                    film, 0.7, [&](double, double) { return wanted; }, -2.5),
+                1, 0.02);
     EXPECT_LT(film.mean(2, 26).x, 0.01F);
 }
 

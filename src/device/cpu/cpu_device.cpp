@@ -156,7 +156,8 @@ private:
         p.aovs = b.params.aovs;
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other bits of the same number ask for another round
         return std::memcmp(&p, &b.params, sizeof p) == 0 && same_bytes(a.lights, b.lights) &&
-               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.photons == b.photons && a.camera_rays == b.camera_rays;
+               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.photons == b.photons &&
+               a.camera_rays == b.camera_rays;
     }
 
     /// Shoots what the frame needs, if it hasn't been; false if it was stopped.

@@ -47,8 +47,8 @@ private:
     /// Photons that one thread shoots, of one or more rings.
     struct Piece {
         std::size_t shot = 0;
-        std::uint32_t first_ring = 0, last_ring = 0;    ///< The last one included.
-        std::uint32_t first_number = 0, end_number = 0; ///< In the first ring, if it is the only one.
+        std::uint32_t first_ring = 0, last_ring = 0;     ///< The last one included.
+        std::uint32_t first_number = 0, end_number = 0;  ///< In the first ring, if it is the only one.
     };
 
     void add_shots(std::uint32_t light, std::uint32_t target);

@@ -67,8 +67,8 @@ public:
                 move_densities(medium_, inverse(moved));
             } else if (!read_color() && !read_sampling()) {
                 static constexpr std::array kValid{
-                    Keyword::absorption, Keyword::emission, Keyword::scattering,  Keyword::density,  Keyword::method,
-                    Keyword::intervals,  Keyword::samples,  Keyword::confidence,  Keyword::variance, Keyword::ratio,
+                    Keyword::absorption, Keyword::emission, Keyword::scattering,   Keyword::density,  Keyword::method,
+                    Keyword::intervals,  Keyword::samples,  Keyword::confidence,   Keyword::variance, Keyword::ratio,
                     Keyword::jitter,     Keyword::aa_level, Keyword::aa_threshold, Keyword::collect};
                 items_.unexpected(kValid);
             }

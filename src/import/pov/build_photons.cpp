@@ -8,9 +8,10 @@
 namespace sundog::pov {
 namespace {
 
-constexpr std::array kItems{Keyword::spacing,         Keyword::count,       Keyword::gather,    Keyword::media,
-                            Keyword::jitter,          Keyword::save_file,   Keyword::load_file, Keyword::autostop,
-                            Keyword::max_trace_level, Keyword::adc_bailout, Keyword::radius,    Keyword::expand_thresholds};
+constexpr std::array kItems{Keyword::spacing,     Keyword::count,    Keyword::gather,
+                            Keyword::media,       Keyword::jitter,   Keyword::save_file,
+                            Keyword::load_file,   Keyword::autostop, Keyword::max_trace_level,
+                            Keyword::adc_bailout, Keyword::radius,   Keyword::expand_thresholds};
 
 constexpr double kAny = 1e30;
 constexpr int kMostPhotons = 100'000'000;

@@ -197,8 +197,9 @@ TEST(PhotonFile, OtherFilesAreErrors) {
 }
 
 TEST(PhotonFile, ScenesNameWhatCannotBeRead) {
-    EXPECT_NE(global_error("load_file \"nowhere.ph\"").find("can't find the file of photons 'nowhere.ph'; hint: sought"),
-              std::string::npos);
+    EXPECT_NE(
+        global_error("load_file \"nowhere.ph\"").find("can't find the file of photons 'nowhere.ph'; hint: sought"),
+        std::string::npos);
     const std::filesystem::path bad = std::filesystem::temp_directory_path() / "sundog_photons_test.ph";
     std::ofstream(bad) << "something else";
     EXPECT_EQ(global_error("load_file \"sundog_photons_test.ph\""),

@@ -285,8 +285,7 @@ inline void follow_photons(SCENE Light light, PhotonShot shot, real3 power, Phot
                 refracted.path.ray.origin = at.s.position - at.s.geometric_normal * at.s.error;
                 refracted.path.weight = transmitted;
                 refracted.path.insides = at.crossing.behind;
-                if (FEATURE(FEATURE_HOLLOW))
-                    refracted.path.media = media_beyond(SCENE_ at.s, p.path.media, transmits);
+                if (FEATURE(FEATURE_HOLLOW)) refracted.path.media = media_beyond(SCENE_ at.s, p.path.media, transmits);
                 if (any_lane(both)) {
                     waiting[waiting_count] = refracted;
                     waiting[waiting_count].path.alive = both;

@@ -79,15 +79,14 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
                 mask alike = lit;
                 if (FEATURE(FEATURE_PHOTONS)) {
                     // What doesn't collect photons gets the light that they stand for along shadow rays.
-                    mask collects =
-                        (FIELD(geometries, s.geometry, photons) & word(PHOTONS_COLLECT)) != word(0u);
+                    mask collects = (FIELD(geometries, s.geometry, photons) & word(PHOTONS_COLLECT)) != word(0u);
                     mask blind = mask_and(lit, mask_not(collects));
                     alike = mask_and(lit, collects);
                     if (any_lane(blind)) {
                         Light plain = light;
                         plain.flags = light.flags | LIGHT_PHOTONS_NEVER_REFRACT;
-                        real3 passes = light_visibility(SCENE_ plain, s.position + off, to_light, distance, media,
-                                                        blind, counts);
+                        real3 passes =
+                            light_visibility(SCENE_ plain, s.position + off, to_light, distance, media, blind, counts);
                         light_color = select(blind, light_color * passes, light_color);
                     }
                 }

@@ -50,8 +50,8 @@ inline void add_photons(SCENE Surface s, Lobes lobes, LayerColors layered, real3
 }
 
 /// Adds the light of photons to what direct_light() says of the surfaces of `alive`.
-inline void photon_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, mask alive,
-                         INOUT(real3) base, INOUT(real3) highlight) {
+inline void photon_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, mask alive, INOUT(real3) base,
+                         INOUT(real3) highlight) {
     mask collects = (FIELD(geometries, s.geometry, photons) & word(PHOTONS_COLLECT)) != word(0u);
     mask wanted = mask_and(alive, collects);
     mask nowhere = mask_and(alive, mask_not(alive));
