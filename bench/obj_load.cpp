@@ -70,7 +70,7 @@ double seconds_to_load(const char* file, std::size_t& triangles) {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     triangles = 0;
     for (const sundog::scene::Object& object : scene.objects)
-        triangles += std::get<sundog::scene::Mesh>(object.shape).triangles.size();
+        triangles += std::get<sundog::Boxed<sundog::scene::Mesh>>(object.shape)->triangles.size();
     return taken.count();
 }
 

@@ -44,8 +44,8 @@ std::string bytes(std::size_t count) {
 std::string point(Vec3 p) { return fmt::format("({:g}, {:g}, {:g})", p.x, p.y, p.z); }
 
 std::string kind_of(const scene::Object& object) {
-    if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape))
-        return fmt::format("mesh of {} triangles", mesh->triangles.size());
+    if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape))
+        return fmt::format("mesh of {} triangles", (*mesh)->triangles.size());
     if (std::holds_alternative<std::shared_ptr<const scene::Solid>>(object.shape)) return "solid";
     if (std::holds_alternative<scene::Sphere>(object.shape)) return "sphere";
     return std::holds_alternative<scene::Plane>(object.shape) ? "plane" : "box";

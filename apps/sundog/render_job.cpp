@@ -158,9 +158,9 @@ int print_pixel(const RenderArguments& arguments, const Stage& stage) {
     fmt::print("normal    {} {} {}\n", seen.normal.x, seen.normal.y, seen.normal.z);
     fmt::print("object    {} (primitive {})", object.name, seen.primitive);
     if (object.where.file) fmt::print(" from {}:{}", *object.where.file, object.where.line);
-    fmt::print("\nmaterial  {}", stage.compiled.material_names[seen.material]);
-    if (const scene::Material& m = stage.scene.materials[seen.material]; m.where.file)
-        fmt::print(" from {}:{}", *m.where.file, m.where.line);
+    const scene::Material& material = stage.scene.materials[seen.material];
+    fmt::print("\nmaterial  {}", material.name);
+    if (material.where.file) fmt::print(" from {}:{}", *material.where.file, material.where.line);
     fmt::print("\n");
     return 0;
 }

@@ -36,17 +36,24 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
 
 void compile_materials(const scene::Scene& scene, RenderScene& out) {
     PatternCompiler patterns(scene, out);
+    out.material_maps.push_back(no_maps());
+    out.materials.reserve(scene.materials.size());
     for (const scene::Material& m : scene.materials) {
-        out.materials.push_back(m.patterned ? patterns.compile_surface(m) : compile_material(m, scene.textures));
-        out.material_names.push_back(m.name);
+        if (m.patterned) {
+            out.materials.push_back(patterns.compile_surface(m));
+        } else {
+            const kernel::MaterialMaps maps = compile_maps(*m.mtl, scene.textures);
+            out.materials.push_back(compile_material(*m.mtl, maps));
+            if (any_map(maps)) {
+                out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
+                out.material_maps.push_back(maps);
+            }
+        }
     }
     patterns.compile_sky();
     if (scene.projection_camera && scene.projection_camera->normal)
         out.camera_normal = patterns.normals_of(*scene.projection_camera->normal);
-    if (out.materials.empty()) {
-        out.materials.push_back(compile_material(scene::Material{}, {}));
-        out.material_names.emplace_back("default");
-    }
+    if (out.materials.empty()) out.materials.push_back(compile_material({}, no_maps()));
 }
 
 /// What of the camera the kernel doesn't have.
@@ -75,8 +82,8 @@ MeshAttributes attributes_of(const scene::Scene& scene, const RenderScene& out) 
         if ((m.flags & kernel::MATERIAL_TEXTURED) || (pattern_features(out, m) & kernel::FEATURE_TEXTURES))
             attributes.uvs = true;
     for (const scene::Object& object : scene.objects)
-        if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
-            attributes.normals = attributes.normals || !mesh->normals.empty();
+        if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
+            attributes.normals = attributes.normals || !(*mesh)->normals.empty();
         } else if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
             attributes.normals = attributes.normals || solid_attributes(**solid).normals;
         }
@@ -89,9 +96,9 @@ public:
     PrimitiveWriter(const scene::Object& object, MeshAttributes attributes, RenderScene& out, const WarningSink& warn)
         : object_(object), attributes_(attributes), out_(out), warn_(warn) {}
 
-    kernel::Geometry operator()(const scene::Mesh& mesh) {
+    kernel::Geometry operator()(const Boxed<scene::Mesh>& mesh) {
         const auto first = static_cast<std::uint32_t>(out_.triangles.size());
-        const std::uint32_t count = append_mesh(object_, mesh, attributes_, out_, warn_);
+        const std::uint32_t count = append_mesh(object_, *mesh, attributes_, out_, warn_);
         return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0, 0};
     }
     kernel::Geometry operator()(const scene::Sphere& sphere) {
@@ -197,9 +204,9 @@ private:
 /// Object-space bounds; empty for a plane.
 Bounds3 bounds_of(const scene::Object& object) {
     Bounds3 bounds;
-    if (const auto* mesh = std::get_if<scene::Mesh>(&object.shape)) {
-        for (const scene::Mesh::Triangle& t : mesh->triangles)
-            for (const std::uint32_t p : t.position) bounds.include(mesh->positions[p]);
+    if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
+        for (const scene::Mesh::Triangle& t : (*mesh)->triangles)
+            for (const std::uint32_t p : t.position) bounds.include((*mesh)->positions[p]);
     } else if (const auto* sphere = std::get_if<scene::Sphere>(&object.shape)) {
         const Vec3 r{sphere->radius, sphere->radius, sphere->radius};
         bounds.include(sphere->center - r);
@@ -222,6 +229,10 @@ Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
     return world;
 }
 
+std::uint32_t features_of(const RenderScene& scene, const kernel::Material& material) {
+    return material_features(material, scene.material_maps[material.maps]) | pattern_features(scene, material);
+}
+
 std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, bool moving) {
     std::vector<bool> used(scene.materials.size());
     for (const kernel::Triangle& t : scene.triangles) used[t.material] = true;
@@ -233,7 +244,7 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
 
     std::uint32_t features = 0;
     for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) features |= material_features(scene.materials[i]) | pattern_features(scene, scene.materials[i]);
+        if (used[i]) features |= features_of(scene, scene.materials[i]);
     if (attributes.normals && !scene.triangles.empty()) features |= kernel::FEATURE_SMOOTH;
     if (!scene.spheres.empty() || !scene.boxes.empty() || !scene.planes.empty() || !scene.solids.empty())
         features |= kernel::FEATURE_ANALYTIC;

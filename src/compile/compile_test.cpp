@@ -60,7 +60,7 @@ TEST(Compile, KeepsTheOrderOfTriangles) {
 TEST(Compile, OffsetsTheIndicesOfLaterMeshes) {
     scene::Scene scene = scene_with_degenerates(0);
     scene.objects.push_back(scene.objects[0]);
-    auto& second = std::get<scene::Mesh>(scene.objects[1].shape);
+    auto& second = *std::get<Boxed<scene::Mesh>>(scene.objects[1].shape);
     second.normals = {{0, 0, 2}, {0, 0, 0}};
     second.triangles[0].normal[0] = second.triangles[0].normal[1] = second.triangles[0].normal[2] = 0;
     second.triangles.push_back(second.triangles[0]);
@@ -81,8 +81,8 @@ TEST(Compile, OffsetsTheIndicesOfLaterMeshes) {
 TEST(Compile, AnEmptySceneHasNoEmptyArrays) {
     scene::Scene scene;
     scene.materials.emplace_back();
-    scene.materials.back().illum = 3;
-    scene.materials.back().specular = {1, 1, 1};
+    scene.materials.back().mtl->illum = 3;
+    scene.materials.back().mtl->specular = {1, 1, 1};
     const auto compiled = compile(scene, {});
 #define KERNEL_ARRAYS_SCENE_ONLY
 #define KERNEL_ARRAY(type, name, binding) EXPECT_FALSE(compiled->name.empty()) << #name;

@@ -32,7 +32,7 @@ bool refracts(int illum) { return illum == 4 || illum == 6 || illum == 7 || illu
 bool mirrors(int illum) { return illum >= 3 && illum <= 8; }
 bool fresnel(int illum) { return illum == 5 || illum == 7; }
 
-Vec3 transmittance_of(const scene::Material& m) {
+Vec3 transmittance_of(const scene::MtlSurface& m) {
     const float passes = std::clamp(1 - m.opacity, 0.0F, 1.0F);
     if (!refracts(m.illum)) return kWhite * passes;
     const Vec3 filter = clamp01(m.transmission_filter);
@@ -43,7 +43,7 @@ Vec3 transmittance_of(const scene::Material& m) {
 }
 
 /// Mirror, diffuse and highlight of an opaque surface with the PBR extension's keys.
-void set_pbr(const scene::Material& m, kernel::Material& out) {
+void set_pbr(const scene::MtlSurface& m, kernel::Material& out) {
     const float from_highlight = std::pow(2 / (std::max(m.shininess, 0.0F) + 2), 0.25F);
     const float roughness = std::clamp(m.roughness.value_or(from_highlight), 0.0F, 1.0F);
     const float metallic = std::clamp(m.metallic.value_or(0), 0.0F, 1.0F);
@@ -65,28 +65,35 @@ void set_pbr(const scene::Material& m, kernel::Material& out) {
     out.shininess = 2 / std::max(roughness4, 1e-4F) - 2;
 }
 
-void set_textures(const scene::Material& m, std::span<const scene::Texture> textures, kernel::Material& out) {
-    out.diffuse_texture = compile_use(m.map_diffuse, textures);
-    out.specular_texture = compile_use(m.map_specular, textures);
-    out.emission_texture = compile_use(m.map_emission, textures);
-    out.opacity_texture = compile_use(m.map_opacity, textures);
-    out.bump_texture = compile_use(m.map_bump, textures);
-    out.normal_texture = compile_use(m.map_normal, textures);
-    // A constant colour (illum 0) is emitted, so its picture is too.
-    if (m.illum == 0 && out.emission_texture.texture == kernel::NONE) out.emission_texture = out.diffuse_texture;
-    for (const kernel::TextureRef& use : {out.diffuse_texture, out.specular_texture, out.emission_texture,
-                                          out.opacity_texture, out.bump_texture, out.normal_texture})
-        if (use.texture != kernel::NONE) out.flags |= kernel::MATERIAL_TEXTURED;
-    if (m.checker) {
-        out.flags |= kernel::MATERIAL_CHECKER | kernel::MATERIAL_TEXTURED;
-        out.checker_other = to_kernel(m.checker->other);
-        out.checker_cells = {m.checker->cells_u, m.checker->cells_v};
-    }
-}
-
 }  // namespace
 
-kernel::Material compile_material(const scene::Material& m, std::span<const scene::Texture> textures) {
+kernel::MaterialMaps no_maps() {
+    kernel::MaterialMaps maps{};
+    for (kernel::TextureRef* map :
+         {&maps.diffuse, &maps.specular, &maps.emission, &maps.opacity, &maps.bump, &maps.normal})
+        map->texture = kernel::NONE;
+    return maps;
+}
+
+bool any_map(const kernel::MaterialMaps& maps) {
+    return std::min({maps.diffuse.texture, maps.specular.texture, maps.emission.texture, maps.opacity.texture,
+                     maps.bump.texture, maps.normal.texture}) != kernel::NONE;
+}
+
+kernel::MaterialMaps compile_maps(const scene::MtlSurface& m, std::span<const scene::Texture> textures) {
+    kernel::MaterialMaps maps{};
+    maps.diffuse = compile_use(m.map_diffuse, textures);
+    maps.specular = compile_use(m.map_specular, textures);
+    maps.emission = compile_use(m.map_emission, textures);
+    maps.opacity = compile_use(m.map_opacity, textures);
+    maps.bump = compile_use(m.map_bump, textures);
+    maps.normal = compile_use(m.map_normal, textures);
+    // A constant colour (illum 0) is emitted, so its picture is too.
+    if (m.illum == 0 && maps.emission.texture == kernel::NONE) maps.emission = maps.diffuse;
+    return maps;
+}
+
+kernel::Material compile_material(const scene::MtlSurface& m, const kernel::MaterialMaps& maps) {
     kernel::Material out{};
     out.emission = to_kernel(m.emission);
     out.ambient = to_kernel(m.ambient.value_or(m.diffuse));
@@ -114,19 +121,23 @@ kernel::Material compile_material(const scene::Material& m, std::span<const scen
         out.flags |= kernel::MATERIAL_FRESNEL;
     }
     if (m.illum >= 2 && !black(out.specular) && out.shininess > 0) out.flags |= kernel::MATERIAL_HIGHLIGHT;
-    set_textures(m, textures, out);
-    if (transparent || out.opacity_texture.texture != kernel::NONE) out.flags |= kernel::MATERIAL_TRANSPARENT;
+    if (any_map(maps)) out.flags |= kernel::MATERIAL_TEXTURED;
+    if (m.checker) {
+        out.flags |= kernel::MATERIAL_CHECKER | kernel::MATERIAL_TEXTURED;
+        out.checker_other = to_kernel(m.checker->other);
+        out.checker_cells = {m.checker->cells_u, m.checker->cells_v};
+    }
+    if (transparent || maps.opacity.texture != kernel::NONE) out.flags |= kernel::MATERIAL_TRANSPARENT;
     return out;
 }
 
-std::uint32_t material_features(const kernel::Material& m) {
+std::uint32_t material_features(const kernel::Material& m, const kernel::MaterialMaps& maps) {
     std::uint32_t features = 0;
     if (m.flags & kernel::MATERIAL_TEXTURED) features |= kernel::FEATURE_TEXTURES;
     if (m.flags & kernel::MATERIAL_HIGHLIGHT) features |= kernel::FEATURE_HIGHLIGHTS;
     if (!black(m.reflectance)) features |= kernel::FEATURE_MIRRORS;
-    if (!black(m.transmittance) || m.opacity_texture.texture != kernel::NONE) features |= kernel::FEATURE_TRANSPARENT;
-    if (m.bump_texture.texture != kernel::NONE || m.normal_texture.texture != kernel::NONE)
-        features |= kernel::FEATURE_BUMP;
+    if (!black(m.transmittance) || maps.opacity.texture != kernel::NONE) features |= kernel::FEATURE_TRANSPARENT;
+    if (maps.bump.texture != kernel::NONE || maps.normal.texture != kernel::NONE) features |= kernel::FEATURE_BUMP;
     return features;
 }
 

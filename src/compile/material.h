@@ -31,11 +31,18 @@
 
 namespace sundog {
 
-/// The kernel's material of `material`. Texture uses keep their index into Scene::textures; those of textures
-/// without pixels are dropped.
-kernel::Material compile_material(const scene::Material& material, std::span<const scene::Texture> textures);
+/// The maps of a material without textures.
+kernel::MaterialMaps no_maps();
+bool any_map(const kernel::MaterialMaps& maps);
 
-/// FEATURE_* bits that a surface of this material needs.
-std::uint32_t material_features(const kernel::Material& material);
+/// The textures of `material`. They keep their index into Scene::textures; those of textures without pixels are
+/// dropped.
+kernel::MaterialMaps compile_maps(const scene::MtlSurface& material, std::span<const scene::Texture> textures);
+
+/// The kernel's material of `material`, whose compile_maps() are `maps`; where they stand is left to the caller.
+kernel::Material compile_material(const scene::MtlSurface& material, const kernel::MaterialMaps& maps);
+
+/// FEATURE_* bits that a surface of this material with these maps needs.
+std::uint32_t material_features(const kernel::Material& material, const kernel::MaterialMaps& maps);
 
 }  // namespace sundog

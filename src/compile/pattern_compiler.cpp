@@ -216,7 +216,8 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
 
 const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material& material) {
     const scene::LayeredTexture& texture = *material.patterned->texture;
-    const auto [found, is_new] = compiled_.try_emplace(&texture);
+    const bool colorless = material.patterned->color.has_value();
+    const auto [found, is_new] = compiled_.try_emplace({&texture, colorless});
     Layers& layers = found->second;
     if (!is_new) return layers;
     if (texture.layers.size() > kernel::MAX_LAYERS)
@@ -229,7 +230,8 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
     layers.transparent = true;                    // as long as every layer over another lets light through
     bool before_parts = true, some_part = false;  // Of parts side by side, one that does is enough.
     for (auto layer = texture.layers.rbegin(); layer != texture.layers.rend(); ++layer) {
-        out_.layers.push_back(kernel_layer(*layer, program_of(*layer->pigment, layer->share.get())));
+        const std::uint32_t program = colorless ? kernel::NONE : program_of(*layer->pigment, layer->share.get());
+        out_.layers.push_back(kernel_layer(*layer, program));
         out_.layers.back().normal = kernel::NONE;
         if (layer->normal && !layer->normal->is_flat()) {
             out_.layers.back().normal = normals_of(*layer->normal);
@@ -251,11 +253,11 @@ std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surfac
     // The open air, and after it the interior of all objects that have none of their own: within glass, povray takes
     // them for bubbles of air.
     if (out_.interiors.empty()) out_.interiors.assign(2, {1, 1, 0, {1, 1, 1}, 1, 1});
-    if (surface.interior_number == 0 && surface.interior == scene::Interior{}) return 1;
+    if (surface.interior_number == 0 && (!surface.interior || *surface.interior == scene::Interior{})) return 1;
     if (const auto known = interiors_.find(surface.interior_number);
         known != interiors_.end() && surface.interior_number != 0)
         return known->second;
-    const scene::Interior& interior = surface.interior;
+    const scene::Interior& interior = *surface.interior;
     kernel::Interior out{};
     out.ior = interior.ior > 0 ? interior.ior : 1;
     out.fade_distance = interior.fade_distance > 0 ? interior.fade_distance : 1;
@@ -290,7 +292,7 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     const scene::PatternedSurface& surface = *material.patterned;
     const Layers& layers = layers_of(material);
     kernel::PatternedMaterial patterned{};
-    const Affine3d& m = surface.texture_from_world;
+    const Affine3d& m = *surface.texture_from_world;
     patterned.texture_from_world_x = to_kernel(to_float(m.x)),
     patterned.texture_from_world_y = to_kernel(to_float(m.y));
     patterned.texture_from_world_z = to_kernel(to_float(m.z)),
@@ -306,21 +308,28 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     patterned.medium = kernel::NONE;
     if (!surface.hollow) {
         patterned.medium = kernel::MEDIUM_SOLID;
-    } else if (surface.interior.media && !surface.interior.media->empty()) {
-        patterned.medium = media_of(*surface.interior.media, surface.interior_from_world);
+    } else if (surface.interior && surface.interior->media && !surface.interior->media->empty()) {
+        patterned.medium = media_of(*surface.interior->media, *surface.interior_from_world);
     }
 
     kernel::Material out{};
     out.flags = kernel::MATERIAL_PATTERNED;
-    if (layers.transparent) out.flags |= kernel::MATERIAL_TRANSPARENT;
+    const bool transparent = surface.color ? lets_light_through(*surface.color) : layers.transparent;
+    if (transparent) out.flags |= kernel::MATERIAL_TRANSPARENT;
     if (layers.backlit || surface.double_illuminate) out.flags |= kernel::MATERIAL_BACKLIT;
     if (layers.reflective) out.reflectance = {1, 1, 1};  // Only told to material_features; the layers say how much.
-    if (layers.transparent) out.transmittance = {1, 1, 1};
+    if (transparent) out.transmittance = {1, 1, 1};
     out.ior = out_.interiors[patterned.interior].ior;
-    for (kernel::TextureRef* ref : {&out.diffuse_texture, &out.specular_texture, &out.emission_texture,
-                                    &out.opacity_texture, &out.bump_texture, &out.normal_texture})
-        ref->texture = kernel::NONE;
     out.patterned = static_cast<std::uint32_t>(out_.patterned.size());
+    patterned.look = out.patterned;
+    if (surface.color) {
+        patterned.color = {surface.color->r, surface.color->g, surface.color->b};
+        patterned.filtered = surface.color->filter, patterned.transmitted = surface.color->transmit;
+        // Its one layer has no place.
+        patterned.look =
+            looks_.try_emplace({layers.first, patterned.light_set, patterned.double_illuminated}, out.patterned)
+                .first->second;
+    }
     out_.patterned.push_back(patterned);
     return out;
 }

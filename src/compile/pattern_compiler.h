@@ -2,10 +2,12 @@
 // Pigments into programs, textures of layers into the kernel's arrays.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "device/render_scene.h"
@@ -53,8 +55,9 @@ private:
     const scene::Scene& scene_;
     RenderScene& out_;
     std::shared_ptr<fields::HostFieldTable> host_;
-    std::map<const scene::LayeredTexture*, Layers> compiled_;
-    std::map<std::uint32_t, std::uint32_t> interiors_;  // By the scene's numbers.
+    std::map<std::pair<const scene::LayeredTexture*, bool>, Layers> compiled_;  ///< With its own colours, or without.
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> looks_;  ///< By first layer, light set, double illumination.
+    std::map<std::uint32_t, std::uint32_t> interiors_;             // By the scene's numbers.
     std::map<std::uint32_t, std::uint32_t> light_sets_;
     std::map<std::string, std::uint32_t> media_;  ///< By the list's address and place.
 };

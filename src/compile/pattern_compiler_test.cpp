@@ -126,6 +126,27 @@ TEST(Patterns, KnowsWhatLetsLightThrough) {
         0U);
 }
 
+// Catches colours that surfaces of one finish would share, glass of one that makes opaque ones clear, and layers made
+// for each colour anew.
+TEST(Patterns, SurfacesOfOneTextureKeepTheirOwnColors) {
+    auto texture = std::make_shared<scene::LayeredTexture>();
+    texture->layers.push_back({solid(kRed), {}});
+    scene::Scene scene;
+    for (const std::optional<scene::PigmentColor>& color : {std::optional{kBlue}, std::optional{kGlass}, {}}) {
+        scene.materials.emplace_back();
+        scene.materials.back().patterned->texture = texture;
+        scene.materials.back().patterned->color = color;
+    }
+    const auto compiled = compile(scene, {});
+    EXPECT_EQ(compiled->layers.size(), 2U) << "one for all colours, one that has its own";
+    EXPECT_EQ(compiled->patterned[0].look, 0U);
+    EXPECT_EQ(compiled->patterned[1].look, 0U);
+    EXPECT_EQ(compiled->patterned[2].look, 2U);
+    EXPECT_EQ(compiled->patterned[0].color.z, kBlue.b);
+    EXPECT_EQ(compiled->materials[0].flags & kernel::MATERIAL_TRANSPARENT, 0U);
+    EXPECT_NE(compiled->materials[1].flags & kernel::MATERIAL_TRANSPARENT, 0U);
+}
+
 // Catches texture coordinates left out of a mesh whose only texture is a pigment on them: the kernel would read past
 // their end.
 TEST(Patterns, MeshesKeepTheCoordinatesThatPigmentsAskFor) {

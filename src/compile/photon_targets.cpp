@@ -12,7 +12,7 @@ using scene::PhotonSwitch;
 /// Photons don't see such an object on their way to what they are shot at. As in povray, what the camera doesn't see
 /// photons don't see either.
 bool is_passed(const scene::Object& object) {
-    return object.photons.pass_through.value_or(!object.casts_shadow) || !object.seen_by_camera;
+    return object.photons->pass_through.value_or(!object.casts_shadow) || !object.seen_by_camera;
 }
 
 std::uint32_t object_flags(const scene::ObjectPhotons& photons) {
@@ -47,7 +47,7 @@ PhotonTargets::PhotonTargets(const scene::Scene& scene, RenderScene& out) : scen
     std::map<std::uint32_t, std::uint32_t> wholes;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
         const scene::Object& object = scene.objects[i];
-        const scene::ObjectPhotons& photons = object.photons;
+        const scene::ObjectPhotons& photons = *object.photons;
         if (!photons.target || is_passed(object) || object.projects > 0 || out.photon_targets.size() == kMost) continue;
         const auto next = static_cast<std::uint32_t>(out.photon_targets.size() + 1);
         numbers_[i] = photons.whole == 0 ? next : wholes.try_emplace(photons.whole, next).first->second;
@@ -57,7 +57,7 @@ PhotonTargets::PhotonTargets(const scene::Scene& scene, RenderScene& out) : scen
 
 std::uint32_t PhotonTargets::photons_of(std::uint32_t object) const {
     if (numbers_.empty()) return 0;
-    return object_flags(scene_.objects[object].photons) | numbers_[object] << kernel::PHOTONS_TARGET_SHIFT;
+    return object_flags(*scene_.objects[object].photons) | numbers_[object] << kernel::PHOTONS_TARGET_SHIFT;
 }
 
 void PhotonTargets::add_bounds(std::uint32_t object, const Bounds3& bounds) {

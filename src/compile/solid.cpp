@@ -23,9 +23,9 @@ bool uses_uv(const scene::Pigment* pigment) {
 bool uses_uv(const scene::Material& material) {
     if (!material.patterned) {
         const auto mapped = [](const scene::TextureUse& use) { return use.texture != scene::kNone; };
-        return material.checker || mapped(material.map_diffuse) || mapped(material.map_specular) ||
-               mapped(material.map_bump) || mapped(material.map_normal) || mapped(material.map_opacity) ||
-               mapped(material.map_emission);
+        const scene::MtlSurface& m = *material.mtl;
+        return m.checker || mapped(m.map_diffuse) || mapped(m.map_specular) || mapped(m.map_bump) ||
+               mapped(m.map_normal) || mapped(m.map_opacity) || mapped(m.map_emission);
     }
     if (!material.patterned->texture) return false;
     const std::vector<scene::TextureLayer>& layers = material.patterned->texture->layers;

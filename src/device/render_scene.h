@@ -58,12 +58,12 @@ struct PhotonTarget {
 };
 
 /// A compiled scene: the kernel's arrays (see kernel/arrays.h), immutable once made by compile(), shared by devices.
+/// `materials` are those of the Scene, in its order.
 struct RenderScene : render_scene_detail::Arrays {
     std::uint32_t features = 0;  ///< FEATURE_* bits that the scene itself needs (shadows and culling are the frame's).
     Bounds3 bounds;              ///< World bounds of all finite geometry at rest.
     std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
-    std::vector<std::string> material_names;      ///< One for each of `materials`.
     std::uint32_t rainbows = kernel::NONE;        ///< A list of them in `code`.
     std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
     std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.

@@ -28,7 +28,7 @@ std::string ending_of(const std::filesystem::path& file) {
 void stand_up(scene::Scene& scene) {
     const auto turned = [](Vec3 v) { return Vec3{v.x, -v.z, v.y}; };
     for (scene::Object& object : scene.objects) {
-        auto& mesh = std::get<scene::Mesh>(object.shape);
+        auto& mesh = *std::get<Boxed<scene::Mesh>>(object.shape);
         for (Vec3& p : mesh.positions) p = turned(p);
         for (Vec3& n : mesh.normals) n = turned(n);
     }

@@ -24,6 +24,7 @@ KERNEL_ARRAY(uint, code, 18)
 KERNEL_ARRAY(Fog, fogs, 19)
 KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 KERNEL_ARRAY(Interior, interiors, 21)
+KERNEL_ARRAY(MaterialMaps, material_maps, 22)
 
 // Of the Frame: new for every picture.
 #ifndef KERNEL_ARRAYS_SCENE_ONLY

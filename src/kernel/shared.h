@@ -83,7 +83,7 @@ KERNEL_CONST uint MATERIAL_FRESNEL = 2u;       ///< Dielectric Fresnel splits re
 KERNEL_CONST uint MATERIAL_CHECKER = 4u;       ///< Diffuse alternates with checker_other on UVs.
 KERNEL_CONST uint MATERIAL_HIGHLIGHT = 8u;     ///< specular is not black.
 KERNEL_CONST uint MATERIAL_TEXTURED = 16u;     ///< Any *_texture is set, or checker.
-KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, or opacity_texture is set: never culled.
+KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, or an opacity map is set: never culled.
 
 KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material::patterned says which.
 KERNEL_CONST uint MATERIAL_BACKLIT = 128u;   ///< Light on its back is seen from the front.
@@ -336,12 +336,21 @@ struct Material {
     uint flags;
     vec3 checker_other;
     vec2 checker_cells;
-    TextureRef diffuse_texture, specular_texture, emission_texture, opacity_texture, bump_texture, normal_texture;
+    uint maps;       ///< Into `material_maps`.
     uint patterned;  ///< Into `patterned`, if MATERIAL_PATTERNED.
 };
 
-/// A texture of layers where it lies on an object, and what is inside the object. Uniform for all lanes that hit it.
+/// The textures of a material. Number 0 has none.
+struct MaterialMaps {
+    TextureRef diffuse, specular, emission, opacity, bump, normal;
+};
+
+/// A texture of layers where it lies on an object, and what is inside the object. Lanes whose materials have the same
+/// `look` are shaded together.
 struct PatternedMaterial {
+    uint look;  ///< Into `patterned`: the first that has the same place, layers and lighting; itself where none has.
+    vec3 color;
+    float filtered, transmitted;  ///< With `color`, of the layer whose program is NONE.
     vec3 texture_from_world_x, texture_from_world_y, texture_from_world_z, texture_from_world_t;
     uint first_layer, layer_count;  ///< Into `layers`, the top one first.
     uint interior;                  ///< Into `interiors`; 0: none.
@@ -361,7 +370,7 @@ struct Interior {
 
 /// One layer: a pigment and a finish, with POV-Ray's meaning (reference, section 3.5.4). Colours linear.
 struct Layer {
-    uint program;  ///< Into `code`.
+    uint program;  ///< Into `code`; NONE: the colour is the PatternedMaterial's.
     uint flags;    ///< LAYER_*
     uint uses_uv;  ///< 1: the pigment is looked up at (u, v, 0).
     uint normal;   ///< Into `code`: a list of normals; NONE: the surface's own.

@@ -5,7 +5,8 @@ namespace sundog::scene {
 namespace {
 
 struct BoundsOf {
-    Bounds3 operator()(const Mesh& mesh) const {
+    Bounds3 operator()(const Boxed<Mesh>& boxed) const {
+        const Mesh& mesh = *boxed;
         Bounds3 bounds;
         for (const Mesh::Triangle& triangle : mesh.triangles)
             for (const std::uint32_t i : triangle.position) bounds.include(mesh.positions[i]);

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/diagnostics.h"
 #include "base/vec3d.h"
 #include "scene/medium.h"
@@ -126,12 +128,13 @@ struct LayeredTexture {
     std::shared_ptr<const LayeredTexture> blended = nullptr;
 };
 
-/// A texture on an object. Objects that carry the same texture share it and differ in where it lies.
+/// A texture on an object. Objects that carry the same texture share it and differ in where it lies, or in its colour.
 struct PatternedSurface {
     std::shared_ptr<const LayeredTexture> texture;
-    Affine3d texture_from_world;  ///< What the object's transforms did to the texture, inverted.
-    Interior interior;
-    Affine3d interior_from_world;       ///< Where its media lie.
+    std::optional<PigmentColor> color;         ///< Of the texture's only layer, instead of its pigment.
+    Boxed<Affine3d> texture_from_world;        ///< What the object's transforms did to the texture, inverted.
+    std::shared_ptr<const Interior> interior;  ///< Null: air.
+    Boxed<Affine3d> interior_from_world;       ///< Where its media lie.
     bool hollow = false;                ///< Fog and media around it go on inside; media of its own need that, too.
     std::uint32_t interior_number = 0;  ///< Surfaces of one object, and objects that share it, have the same; 0: none.
     std::uint32_t light_set = 0;        ///< Which lights reach it: Scene::light_sets, from 1; 0: those of group 0.

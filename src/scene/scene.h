@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/boxed.h"
 #include "base/diagnostics.h"
 #include "base/vec.h"
 #include "scene/photons.h"
@@ -157,9 +158,7 @@ struct Checker {
 };
 
 /// A surface as MTL describes it (Wavefront 1995 and the PBR extension), kept as written; compile/ maps it to lobes.
-struct Material {
-    std::string name;
-    SourceLocation where;
+struct MtlSurface {
     std::optional<Vec3> ambient;        ///< Ka; where absent, diffuse stands in.
     Vec3 diffuse{0.8F, 0.8F, 0.8F};     ///< Kd
     Vec3 specular{0, 0, 0};             ///< Ks
@@ -173,8 +172,15 @@ struct Material {
     bool phong_highlight = false;  ///< Own MTL key `highlight phong`: Phong's mirrored ray, not Blinn's halfway vector.
     std::optional<Checker> checker;  ///< Own MTL key `checker_Kd u v r g b`.
     TextureUse map_diffuse, map_specular, map_bump, map_normal, map_opacity, map_emission;
-    /// A procedural surface, in which case nothing above but the name counts.
-    std::optional<PatternedSurface> patterned;
+};
+
+/// What a surface looks like. A scene may have one for each of a million spheres.
+struct Material {
+    std::string name;
+    SourceLocation where;
+    Boxed<MtlSurface> mtl;
+    /// A procedural surface, in which case `mtl` doesn't count.
+    Boxed<PatternedSurface> patterned;
 };
 
 /// Triangles with indices into shared vertex arrays. Every index is in range; every number finite.
@@ -216,15 +222,15 @@ struct ObjectMotion {
 struct Object {
     std::string name;
     SourceLocation where;
-    std::variant<Mesh, Sphere, Plane, Box, std::shared_ptr<const Solid>> shape;
-    Index material = 0;  ///< For analytic shapes and solids that inherit; a mesh's triangles name theirs.
-    std::optional<ObjectMotion> motion;
+    std::variant<Boxed<Mesh>, Sphere, Plane, Box, std::shared_ptr<const Solid>> shape;
+    Index material = 0;               ///< For analytic shapes and solids that inherit; a mesh's triangles name theirs.
+    Boxed<ObjectMotion> motion;       ///< None: it rests.
     bool casts_shadow = true;         ///< no_shadow
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
     bool seen_by_radiosity = true;    ///< no_radiosity
-    ObjectPhotons photons;
-    std::uint32_t projects = 0;  ///< Not seen at all: what some Light::projection shines through; 1 to 24.
+    Boxed<ObjectPhotons> photons;     ///< Few objects have any to do with them.
+    std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
 };
 
 /// Settings that a scene file may fix and the command line may overrule.

@@ -10,9 +10,9 @@ Material missing_material(std::string name, SourceLocation where) {
     Material material;
     material.name = std::move(name);
     material.where = std::move(where);
-    material.diffuse = {1, 0, 1};
-    material.checker = Checker{8, 8, {0, 0, 0}};
-    material.illum = 1;
+    material.mtl->diffuse = {1, 0, 1};
+    material.mtl->checker = Checker{8, 8, {0, 0, 0}};
+    material.mtl->illum = 1;
     return material;
 }
 

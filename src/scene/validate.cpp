@@ -34,7 +34,8 @@ struct ShapeCheck {
     const Object& object;
     const std::string thing;
 
-    void operator()(const Mesh& mesh) const {
+    void operator()(const Boxed<Mesh>& boxed) const {
+        const Mesh& mesh = *boxed;
         const auto finite = [](Vec3 v) { return sundog::is_finite(v); };
         const auto finite_uv = [](Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); };
         require(std::all_of(mesh.positions.begin(), mesh.positions.end(), finite) &&
@@ -73,22 +74,24 @@ struct ShapeCheck {
     }
 };
 
-void check(const Scene& scene, const Material& m) {
-    const std::string thing = "material '" + m.name + "'";
+void check(const Scene& scene, const Material& material) {
+    const MtlSurface& m = *material.mtl;
+    const std::string thing = "material '" + material.name + "'";
     const bool finite = sundog::is_finite(m.ambient.value_or(Vec3{})) && sundog::is_finite(m.diffuse) &&
                         sundog::is_finite(m.specular) && sundog::is_finite(m.emission) &&
                         sundog::is_finite(m.transmission_filter) && std::isfinite(m.shininess) &&
                         std::isfinite(m.ior) && std::isfinite(m.opacity) &&
                         sundog::is_finite(m.checker.value_or(Checker{}).other);
-    require(finite, m.where, thing, "holds a number that is not finite");
-    require(m.ior > 0, m.where, thing, "has an index of refraction of 0 or less");
-    require(m.opacity >= 0 && m.opacity <= 1, m.where, thing, "has an opacity outside of 0 to 1");
+    require(finite, material.where, thing, "holds a number that is not finite");
+    require(m.ior > 0, material.where, thing, "has an index of refraction of 0 or less");
+    require(m.opacity >= 0 && m.opacity <= 1, material.where, thing, "has an opacity outside of 0 to 1");
     for (const TextureUse* use :
          {&m.map_diffuse, &m.map_specular, &m.map_bump, &m.map_normal, &m.map_opacity, &m.map_emission}) {
-        require(use->texture == kNone || use->texture < scene.textures.size(), m.where, thing, "lacks a texture");
+        require(use->texture == kNone || use->texture < scene.textures.size(), material.where, thing,
+                "lacks a texture");
         require(std::isfinite(use->scale.x) && std::isfinite(use->scale.y) && std::isfinite(use->offset.x) &&
                     std::isfinite(use->offset.y) && std::isfinite(use->strength),
-                m.where, thing, "holds a number that is not finite");
+                material.where, thing, "holds a number that is not finite");
     }
 }
 

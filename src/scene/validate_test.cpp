@@ -24,7 +24,7 @@ Scene good_scene() {
 // Catches a promise that is not checked: each case breaks one.
 TEST(Validate, FindsEachBrokenPromise) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-    const auto mesh = [](Scene& s) -> Mesh& { return std::get<Mesh>(s.objects[0].shape); };
+    const auto mesh = [](Scene& s) -> Mesh& { return *std::get<Boxed<Mesh>>(s.objects[0].shape); };
     EXPECT_NO_THROW(validate(good_scene()));
     const std::vector<std::function<void(Scene&)>> faults = {
         [](Scene& s) { s.materials.clear(); },
@@ -43,9 +43,9 @@ TEST(Validate, FindsEachBrokenPromise) {
             s.objects[1].shape = Box{{0, 0, 0}, {1, -1, 1}};
         },
         [](Scene& s) { s.objects[1].motion.emplace().rot_y_deg.speed = kNan; },
-        [](Scene& s) { s.materials[0].map_bump.texture = 0; },
-        [](Scene& s) { s.materials[0].ior = 0; },
-        [](Scene& s) { s.materials[0].diffuse.z = INFINITY; },
+        [](Scene& s) { s.materials[0].mtl->map_bump.texture = 0; },
+        [](Scene& s) { s.materials[0].mtl->ior = 0; },
+        [](Scene& s) { s.materials[0].mtl->diffuse.z = INFINITY; },
         [](Scene& s) {
             s.textures.push_back({"t", {}, 2, 2, {1, 2, 3}, true});
         },

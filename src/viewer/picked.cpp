@@ -23,10 +23,10 @@ PickedPixel describe_pixel(const LoadedScene& loaded, const PixelInfo& info, int
         const std::uint32_t object = compiled.geometry_objects[info.geometry];
         if (object < loaded.scene.objects.size()) picked.object_place = place_text(loaded.scene.objects[object].where);
     }
-    if (info.material < compiled.material_names.size()) {
-        picked.material = compiled.material_names[info.material];
-        for (const scene::Material& material : loaded.scene.materials)
-            if (material.name == picked.material) picked.material_place = place_text(material.where);
+    if (info.material < loaded.scene.materials.size()) {
+        const scene::Material& material = loaded.scene.materials[info.material];
+        picked.material = material.name;
+        picked.material_place = place_text(material.where);
     }
     return picked;
 }

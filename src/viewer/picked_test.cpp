@@ -23,7 +23,6 @@ LoadedScene two_objects() {
     auto compiled = std::make_shared<RenderScene>();
     compiled->geometry_names = {"ball", "floor"};  // compiled in another order than written
     compiled->geometry_objects = {1, 0};
-    compiled->material_names = {"glass"};
     loaded.compiled = compiled;
     return loaded;
 }

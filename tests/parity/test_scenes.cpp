@@ -16,34 +16,34 @@ Index add(Scene& scene, const scene::Material& material) {
 
 scene::Material matt(Vec3 color) {
     scene::Material material;
-    material.diffuse = color;
+    material.mtl->diffuse = color;
     return material;
 }
 
 scene::Material shiny(Vec3 color, float shininess, bool phong) {
     scene::Material material = matt(color);
-    material.specular = {0.6F, 0.6F, 0.5F};
-    material.shininess = shininess;
-    material.phong_highlight = phong;
+    material.mtl->specular = {0.6F, 0.6F, 0.5F};
+    material.mtl->shininess = shininess;
+    material.mtl->phong_highlight = phong;
     return material;
 }
 
 scene::Material mirror(Vec3 reflectance) {
     scene::Material material = matt({0.1F, 0.1F, 0.1F});
-    material.specular = reflectance;
-    material.shininess = 200;
-    material.illum = 3;
+    material.mtl->specular = reflectance;
+    material.mtl->shininess = 200;
+    material.mtl->illum = 3;
     return material;
 }
 
 scene::Material glass(float ior) {
     scene::Material material = matt({0, 0, 0});
-    material.specular = {1, 1, 1};
-    material.shininess = 100;
-    material.transmission_filter = {0.9F, 1, 0.9F};
-    material.opacity = 0.1F;
-    material.ior = ior;
-    material.illum = 7;
+    material.mtl->specular = {1, 1, 1};
+    material.mtl->shininess = 100;
+    material.mtl->transmission_filter = {0.9F, 1, 0.9F};
+    material.mtl->opacity = 0.1F;
+    material.mtl->ior = ior;
+    material.mtl->illum = 7;
     return material;
 }
 
@@ -181,7 +181,8 @@ scene::Material layers(std::vector<scene::TextureLayer> list, scene::Interior in
     scene::Material material;
     auto texture = std::make_shared<scene::LayeredTexture>();
     texture->layers = std::move(list);
-    material.patterned = scene::PatternedSurface{texture, {}, std::move(interior), {}, false, 0};
+    material.patterned->texture = texture;
+    material.patterned->interior = std::make_shared<const scene::Interior>(std::move(interior));
     return material;
 }
 
@@ -239,6 +240,14 @@ Scene procedural() {
     interior.fade_color = {0.1F, 0.3F, 0.1F};
     scene.materials[2] = layers({{glass_color, finish}}, interior);
     scene.materials[3] = layers({{picture, finish}});
+    // One texture, and a colour for each surface.
+    const scene::Material plain = layers({{std::make_shared<Pigment>(), finish}});
+    for (const scene::PigmentColor& color :
+         {scene::PigmentColor{0.9F, 0.3F, 0.1F, 0, 0}, {0.3F, 0.9F, 0.9F, 0.7F, 0}}) {
+        const Index index = add(scene, plain);
+        scene.materials[index].patterned->color = color;
+        put(scene, "bead", scene::Sphere{{color.r - 0.5F, -0.9F, color.g - 0.8F}, 0.25F}, index);
+    }
     scene.lights[0].kind = scene::Light::Kind::spotlight;
     scene.lights[0].point_at = {0, 0, -0.5F};
     scene.lights[0].area = scene::LightArea{{0.5F, 0, 0}, {0, 0.5F, 0}, 3, 2, -1, false, true, true};
@@ -265,17 +274,17 @@ Scene textured() {
     Scene scene = stage();
     scene.textures = {stripes(true), stripes(false)};
     scene::Material cloth = matt({1, 1, 1});
-    cloth.map_diffuse.texture = 0;
-    cloth.map_diffuse.scale = {3, 2};
+    cloth.mtl->map_diffuse.texture = 0;
+    cloth.mtl->map_diffuse.scale = {3, 2};
     scene::Material bumpy = shiny({0.6F, 0.6F, 0.2F}, 30, false);
-    bumpy.map_bump.texture = 1;
-    bumpy.map_bump.strength = 0.3F;
-    bumpy.map_specular.texture = 0;
+    bumpy.mtl->map_bump.texture = 1;
+    bumpy.mtl->map_bump.strength = 0.3F;
+    bumpy.mtl->map_specular.texture = 0;
     scene::Material cutout = matt({0.3F, 0.8F, 0.4F});
-    cutout.map_opacity.texture = 1;
-    cutout.map_opacity.channel = 3;
+    cutout.mtl->map_opacity.texture = 1;
+    cutout.mtl->map_opacity.channel = 3;
     scene::Material board = matt({0.9F, 0.9F, 0.9F});
-    board.checker = scene::Checker{1, 1, {0.1F, 0.1F, 0.3F}};
+    board.mtl->checker = scene::Checker{1, 1, {0.1F, 0.1F, 0.3F}};
     const Index cloth_index = add(scene, cloth);
     const Index bumpy_index = add(scene, bumpy);
     const Index cutout_index = add(scene, cutout);

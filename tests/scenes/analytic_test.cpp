@@ -135,14 +135,14 @@ TEST_F(Analytic, SphereCastsACircularHardShadow) {
 TEST_F(Analytic, GlassSlabPassesWhatFresnelSays) {
     scene::Scene s = empty_scene();
     scene::Material glass;
-    glass.diffuse = {0, 0, 0};
-    glass.specular = {1, 1, 1};
-    glass.opacity = 0;
-    glass.ior = 1.5F;
-    glass.illum = 7;
+    glass.mtl->diffuse = {0, 0, 0};
+    glass.mtl->specular = {1, 1, 1};
+    glass.mtl->opacity = 0;
+    glass.mtl->ior = 1.5F;
+    glass.mtl->illum = 7;
     add_shape(s, scene::Box{{-50, 1, -50}, {50, 2, 50}}, add_material(s, glass));
     scene::Material glow = matt({0, 0, 0});
-    glow.emission = {1, 1, 1};
+    glow.mtl->emission = {1, 1, 1};
     add_quad(s, {-99, 4, -99}, {99, 4, -99}, {99, 4, 99}, {-99, 4, 99}, add_material(s, glow));
     FrameOptions options = size(9, 9);
     options.max_depth = 12;
@@ -155,13 +155,13 @@ TEST_F(Analytic, GlassSlabPassesWhatFresnelSays) {
 TEST_F(Analytic, SlabShiftsByWhatSnellSays) {
     scene::Scene s = empty_scene();
     scene::Material glass;
-    glass.diffuse = {0, 0, 0};
-    glass.opacity = 0;
-    glass.ior = 1.5F;
-    glass.illum = 6;
+    glass.mtl->diffuse = {0, 0, 0};
+    glass.mtl->opacity = 0;
+    glass.mtl->ior = 1.5F;
+    glass.mtl->illum = 6;
     add_shape(s, scene::Box{{-50, 1, -50}, {50, 2, 50}}, add_material(s, glass));
     scene::Material glow = matt({0, 0, 0});
-    glow.emission = {1, 1, 1};
+    glow.mtl->emission = {1, 1, 1};
     // The ray of the image's top middle, at 45 degrees: sin b = sin 45° / 1.5; it climbs 1 before, tan b inside, 2
     // behind.
     const float sin_b = std::sqrt(0.5F) / 1.5F;
@@ -180,9 +180,9 @@ TEST_F(Analytic, SlabShiftsByWhatSnellSays) {
 TEST_F(Analytic, TransparentPaneColoursTheShadow) {
     scene::Scene s = empty_scene();
     scene::Material pane = matt({0, 0, 0});
-    pane.opacity = 0;
-    pane.transmission_filter = {1, 0.5F, 0};
-    pane.illum = 9;
+    pane.mtl->opacity = 0;
+    pane.mtl->transmission_filter = {1, 0.5F, 0};
+    pane.mtl->illum = 9;
     add_quad(s, {-99, 4, -99}, {99, 4, -99}, {99, 4, 99}, {-99, 4, 99}, add_material(s, matt({1, 1, 1})));
     // Behind the eye, so the camera doesn't look through it.
     add_quad(s, {-99, -1, -99}, {99, -1, -99}, {99, -1, 99}, {-99, -1, 99}, add_material(s, pane));
@@ -196,10 +196,10 @@ TEST_F(Analytic, CullingRemovesOpaqueBacksOnly) {
     for (const bool transparent : {false, true}) {
         scene::Scene s = empty_scene();
         scene::Material glow = matt({0, 0, 0});
-        glow.emission = {0, 0, 1};
+        glow.mtl->emission = {0, 0, 1};
         scene::Material front = matt({0, 0, 0});
-        front.emission = {1, 0, 0};
-        if (transparent) front.opacity = 0.5F;
+        front.mtl->emission = {1, 0, 0};
+        if (transparent) front.mtl->opacity = 0.5F;
         add_quad(s, {-99, 4, -99}, {99, 4, -99}, {99, 4, 99}, {-99, 4, 99}, add_material(s, glow));
         add_quad(s, {-99, 2, -99}, {-99, 2, 99}, {99, 2, 99}, {99, 2, -99}, add_material(s, front));
         s.settings.cull_backfaces = true;
@@ -215,11 +215,11 @@ TEST_F(Analytic, CullingRemovesOpaqueBacksOnly) {
 TEST_F(Analytic, HighlightsByPhongAndBlinn) {
     for (const bool phong : {false, true}) {
         scene::Material m;
-        m.diffuse = {0, 0, 0};
-        m.specular = {1, 1, 1};
-        m.shininess = 20;
-        m.illum = 2;
-        m.phong_highlight = phong;
+        m.mtl->diffuse = {0, 0, 0};
+        m.mtl->specular = {1, 1, 1};
+        m.mtl->shininess = 20;
+        m.mtl->illum = 2;
+        m.mtl->phong_highlight = phong;
         scene::Scene s = empty_scene();
         add_quad(s, {-99, 4, -99}, {99, 4, -99}, {99, 4, 99}, {-99, 4, 99}, add_material(s, m));
         add_light(s, scene::Light::Kind::sun, {0, -1, 1});

@@ -17,9 +17,13 @@ scene::Material clear_material(std::vector<scene::Medium> media, bool hollow = t
     auto texture = std::make_shared<scene::LayeredTexture>();
     texture->layers.push_back({pigment, {}});
     scene::Material material;
-    material.patterned = scene::PatternedSurface{texture, {}, {}, {}, hollow, 0};
-    if (!media.empty())
-        material.patterned->interior.media = std::make_shared<const std::vector<scene::Medium>>(std::move(media));
+    material.patterned->texture = texture;
+    material.patterned->hollow = hollow;
+    if (!media.empty()) {
+        scene::Interior interior;
+        interior.media = std::make_shared<const std::vector<scene::Medium>>(std::move(media));
+        material.patterned->interior = std::make_shared<const scene::Interior>(std::move(interior));
+    }
     return material;
 }
 
@@ -76,7 +80,7 @@ TEST_F(MediaScene, WhatIsNotHollowDisplacesMedia) {
     scene_.sky = {0, 0, 0};
     scene_.atmosphere.push_back(absorbing(0.1F));
     scene::Material wall = matt({0, 0, 0});
-    wall.emission = {1, 1, 1};
+    wall.mtl->emission = {1, 1, 1};
     add_quad(scene_, {-99, 9, -99}, {99, 9, -99}, {99, 9, 99}, {-99, 9, 99}, add_material(scene_, wall));
     EXPECT_NEAR(middle(), std::exp(-0.9F), 1e-4F);
     add_box(2, 5, clear_material({absorbing(7)}, false));
@@ -171,7 +175,7 @@ TEST_F(MediaScene, LightWithoutShadowsIsNotScattered) {
 TEST_F(MediaScene, TurbulenceThinsFogOut) {
     scene_.sky = {0, 0, 0};
     scene::Material wall = matt({0, 0, 0});
-    wall.emission = {1, 1, 1};
+    wall.mtl->emission = {1, 1, 1};
     add_quad(scene_, {-99, 9, -99}, {99, 9, -99}, {99, 9, 99}, {-99, 9, 99}, add_material(scene_, wall));
     scene::Fog fog;
     fog.distance = 10;

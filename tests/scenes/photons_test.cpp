@@ -24,10 +24,10 @@ scene::ObjectPhotons shot_at(PhotonSwitch reflection, PhotonSwitch refraction) {
 /// Lets the share `clear` pass.
 scene::Material glass(float clear, float ior) {
     scene::Material m;
-    m.diffuse = {0, 0, 0};
-    m.opacity = 1 - clear;
-    m.ior = ior;
-    m.illum = 6;
+    m.mtl->diffuse = {0, 0, 0};
+    m.mtl->opacity = 1 - clear;
+    m.mtl->ior = ior;
+    m.mtl->illum = 6;
     return m;
 }
 
@@ -135,13 +135,13 @@ TEST_F(PhotonScene, AClearSlabLetsItsShareThrough) {
     const auto behind = [](double x, double z) { return 0.0625 * cosine(3.5, x, z); };
     EXPECT_NEAR(mean_ratio(picture(), 3, behind), 1, 0.01);
     // Where photons aren't refracted, shadow rays bring the same.
-    scene_.objects.back().photons.refraction = PhotonSwitch::off;
+    scene_.objects.back().photons->refraction = PhotonSwitch::off;
     EXPECT_NEAR(mean_ratio(picture(), 3, behind), 1, 0.001);
-    scene_.objects.back().photons.refraction = PhotonSwitch::on;
-    scene_.objects.front().photons.collect = false;
+    scene_.objects.back().photons->refraction = PhotonSwitch::on;
+    scene_.objects.front().photons->collect = false;
     EXPECT_NEAR(mean_ratio(picture(), 3, behind), 1, 0.001) << "the wall doesn't collect photons";
     // But the light's shadow is full where it does.
-    scene_.objects.front().photons.collect = true;
+    scene_.objects.front().photons->collect = true;
     scene_.photons->loaded = std::make_shared<const StoredPhotons>();
     EXPECT_LT(mean_ratio(picture(), 3, behind), 1e-6);
 }
@@ -166,7 +166,7 @@ TEST_F(PhotonScene, SwitchesKeepPhotonsAway) {
     add_light(scene_, scene::Light::Kind::lamp, {0, 1, 0});
     add_mirror();
     const auto lamp = [](double x, double z) { return cosine(3, x, z); };
-    scene::ObjectPhotons& mirror = scene_.objects.back().photons;
+    scene::ObjectPhotons& mirror = *scene_.objects.back().photons;
     const auto brightness = [&] { return mean_ratio(picture(), 2, lamp); };
     EXPECT_GT(brightness(), 1.9);
     mirror.target = false;
@@ -182,9 +182,9 @@ TEST_F(PhotonScene, SwitchesKeepPhotonsAway) {
     scene_.lights[0].photons.reflection = PhotonSwitch::off;
     EXPECT_NEAR(brightness(), 1, 1e-4) << "the light denies it";
     scene_.lights[0].photons.reflection = PhotonSwitch::unset;
-    scene_.objects.front().photons.collect = false;
+    scene_.objects.front().photons->collect = false;
     EXPECT_NEAR(brightness(), 1, 1e-4) << "the wall doesn't collect";
-    scene_.objects.front().photons.collect = true;
+    scene_.objects.front().photons->collect = true;
     scene_.photons->max_depth = 0;
     EXPECT_NEAR(brightness(), 1, 1e-4) << "they end where they are shot at";
     scene_.photons->max_depth.reset();
@@ -201,12 +201,12 @@ TEST_F(PhotonScene, PassThroughIsForTheWayToATarget) {
     const auto lamp = [](double x, double z) { return cosine(3, x, z); };
     const auto brightness = [&] { return mean_ratio(picture(), 2, lamp); };
     EXPECT_NEAR(brightness(), 1, 1e-4);
-    scene_.objects.back().photons.pass_through = true;
+    scene_.objects.back().photons->pass_through = true;
     EXPECT_NEAR(brightness(), 1, 1e-4) << "behind the target it stops them";
-    scene_.objects.back().photons.pass_through.reset();
+    scene_.objects.back().photons->pass_through.reset();
     scene_.objects.back().casts_shadow = false;
     EXPECT_GT(brightness(), 1.9) << "it casts no shadow at all";
-    scene_.objects.back().photons.pass_through = false;
+    scene_.objects.back().photons->pass_through = false;
     EXPECT_NEAR(brightness(), 1, 1e-4);
 }
 
@@ -230,8 +230,11 @@ TEST_F(PhotonScene, MediaScatterPhotons) {
     medium.scattering = {0.01F, 0.01F, 0.01F};
     medium.extinction = 0;
     scene::Material m;
-    m.patterned = scene::PatternedSurface{texture, {}, {}, {}, true, 0};
-    m.patterned->interior.media = std::make_shared<const std::vector<scene::Medium>>(1, medium);
+    m.patterned->texture = texture;
+    m.patterned->hollow = true;
+    scene::Interior interior;
+    interior.media = std::make_shared<const std::vector<scene::Medium>>(1, medium);
+    m.patterned->interior = std::make_shared<const scene::Interior>(std::move(interior));
     scene_.objects.clear();
     add_shape(scene_, scene::Box{{-1, 2, -1}, {1, 3, 1}}, add_material(scene_, m));
     add_light(scene_, scene::Light::Kind::sun, {1, 0, 0});
@@ -276,7 +279,7 @@ TEST_F(PhotonScene, AutostopLeavesOutEmptyRings) {
     add_light(scene_, scene::Light::Kind::lamp, {0, 1, 0});
     // The mirror, and specks far off that are parts of the same target.
     add_mirror();
-    scene_.objects.back().photons.whole = 1;
+    scene_.objects.back().photons->whole = 1;
     for (const float x : {-3.0F, 2.9F}) {
         add_shape(scene_, scene::Box{{x, -1.1F, -0.03F}, {x + 0.1F, -1, 0.03F}}, scene_.objects[1].material);
         scene_.objects.back().photons = scene_.objects[1].photons;

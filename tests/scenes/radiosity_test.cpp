@@ -14,7 +14,7 @@ using namespace test;
 /// Sends back `matt` of the light that arrives, and `glow` of its own.
 scene::Material surface(Vec3 matt_share, Vec3 glow = {}) {
     scene::Material m = matt(matt_share);
-    m.emission = glow;
+    m.mtl->emission = glow;
     return m;
 }
 
@@ -109,7 +109,7 @@ TEST_F(RadiosityScene, HiddenObjectsKeepNoLightAway) {
 TEST_F(RadiosityScene, AmbientLightIsOff) {
     scene_.ambient = {1, 1, 1};
     scene::Material m = surface({0, 0, 0});
-    m.ambient = Vec3{0.25F, 0.25F, 0.25F};
+    m.mtl->ambient = Vec3{0.25F, 0.25F, 0.25F};
     const scene::Index wall = add_material(scene_, m);
     add_quad(scene_, {-99, 4, -99}, {99, 4, -99}, {99, 4, 99}, {-99, 4, 99}, wall);
     EXPECT_FLOAT_EQ(picture().mean(32, 24).x, 0);

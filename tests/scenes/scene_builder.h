@@ -28,18 +28,18 @@ inline scene::Index add_material(scene::Scene& s, scene::Material m) {
 /// Kd alone.
 inline scene::Material matt(Vec3 diffuse) {
     scene::Material m;
-    m.diffuse = diffuse;
-    m.illum = 1;
+    m.mtl->diffuse = diffuse;
+    m.mtl->illum = 1;
     return m;
 }
 
 /// Emits and mirrors: own colour `emission`, reflectance `reflectance`.
 inline scene::Material glowing_mirror(Vec3 emission, Vec3 reflectance) {
     scene::Material m;
-    m.diffuse = {0, 0, 0};
-    m.emission = emission;
-    m.specular = reflectance;
-    m.illum = 3;
+    m.mtl->diffuse = {0, 0, 0};
+    m.mtl->emission = emission;
+    m.mtl->specular = reflectance;
+    m.mtl->illum = 3;
     return m;
 }
 

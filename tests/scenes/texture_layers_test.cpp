@@ -37,7 +37,8 @@ scene::Material textured(std::vector<scene::TextureLayer> layers, scene::Interio
     scene::Material material;
     auto texture = std::make_shared<scene::LayeredTexture>();
     texture->layers = std::move(layers);
-    material.patterned = scene::PatternedSurface{texture, {}, std::move(interior), {}, false, 0};
+    material.patterned->texture = texture;
+    material.patterned->interior = std::make_shared<const scene::Interior>(std::move(interior));
     return material;
 }
 

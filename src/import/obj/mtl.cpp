@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    Material& material() { return scene_.materials.back(); }
+    scene::MtlSurface& material() { return *scene_.materials.back().mtl; }
 
     void warn(const Diagnostic& diagnostic) const {
         if (warn_) warn_(diagnostic);
@@ -109,7 +109,7 @@ private:
     }
 
     void property(LineCursor& cursor, const char* at, std::string_view keyword) {
-        Material& m = material();
+        scene::MtlSurface& m = material();
         if (keyword == "Kd") color(cursor, at, keyword, m.diffuse);
         else if (keyword == "Ks") color(cursor, at, keyword, m.specular);
         else if (keyword == "Ke") color(cursor, at, keyword, m.emission);
@@ -213,7 +213,7 @@ private:
     }
 
     void map(LineCursor& cursor, std::string_view keyword) {
-        Material& m = material();
+        scene::MtlSurface& m = material();
         // Ambient light takes the diffuse texture, as nearly all files mean it.
         if (keyword == "map_Ka") return;
         MapKind kind = MapKind::color;

@@ -46,32 +46,32 @@ TEST_F(Mtl, ReadsEachStatement) {
     const scene::Material m = material(
         "Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs 0.7\n Ke 1 2 3 \nTf 0.9 0.8 0.7\nNs 50\nNi 1.5\nd 0.25\nTr 0.1\nillum 7\n"
         "Pr 0.3\nPm 0.6\nPc 0.9\nchecker_Kd 4 2 0.1 0.2 0.3\nhighlight phong\r\n");
-    EXPECT_EQ(m.ambient, (Vec3{0.1F, 0.2F, 0.3F}));
-    EXPECT_EQ(m.diffuse, (Vec3{0.4F, 0.5F, 0.6F}));
-    EXPECT_EQ(m.specular, (Vec3{0.7F, 0.7F, 0.7F}));
-    EXPECT_EQ(m.emission, (Vec3{1, 2, 3}));
-    EXPECT_EQ(m.transmission_filter, (Vec3{0.9F, 0.8F, 0.7F}));
-    EXPECT_EQ(m.shininess, 50.0F);
-    EXPECT_EQ(m.ior, 1.5F);
-    EXPECT_EQ(m.opacity, 0.25F) << "d wins over Tr";
-    EXPECT_EQ(m.illum, 7);
-    EXPECT_EQ(m.roughness, 0.3F);
-    EXPECT_EQ(m.metallic, 0.6F);
-    EXPECT_EQ(m.clearcoat, 0.9F);
-    ASSERT_TRUE(m.checker.has_value());
-    EXPECT_EQ(m.checker->cells_u, 4.0F);
-    EXPECT_EQ(m.checker->cells_v, 2.0F);
-    EXPECT_EQ(m.checker->other, (Vec3{0.1F, 0.2F, 0.3F}));
-    EXPECT_TRUE(m.phong_highlight);
-    EXPECT_EQ(material("Tr 0.75\n").opacity, 0.25F);
+    EXPECT_EQ(m.mtl->ambient, (Vec3{0.1F, 0.2F, 0.3F}));
+    EXPECT_EQ(m.mtl->diffuse, (Vec3{0.4F, 0.5F, 0.6F}));
+    EXPECT_EQ(m.mtl->specular, (Vec3{0.7F, 0.7F, 0.7F}));
+    EXPECT_EQ(m.mtl->emission, (Vec3{1, 2, 3}));
+    EXPECT_EQ(m.mtl->transmission_filter, (Vec3{0.9F, 0.8F, 0.7F}));
+    EXPECT_EQ(m.mtl->shininess, 50.0F);
+    EXPECT_EQ(m.mtl->ior, 1.5F);
+    EXPECT_EQ(m.mtl->opacity, 0.25F) << "d wins over Tr";
+    EXPECT_EQ(m.mtl->illum, 7);
+    EXPECT_EQ(m.mtl->roughness, 0.3F);
+    EXPECT_EQ(m.mtl->metallic, 0.6F);
+    EXPECT_EQ(m.mtl->clearcoat, 0.9F);
+    ASSERT_TRUE(m.mtl->checker.has_value());
+    EXPECT_EQ(m.mtl->checker->cells_u, 4.0F);
+    EXPECT_EQ(m.mtl->checker->cells_v, 2.0F);
+    EXPECT_EQ(m.mtl->checker->other, (Vec3{0.1F, 0.2F, 0.3F}));
+    EXPECT_TRUE(m.mtl->phong_highlight);
+    EXPECT_EQ(material("Tr 0.75\n").mtl->opacity, 0.25F);
     EXPECT_TRUE(warnings_.texts.empty()) << warnings_.texts.front();
 }
 
 // Catches the wrong matrix: D65 white in XYZ is white, and colours outside of RGB don't turn negative.
 TEST_F(Mtl, ConvertsXyz) {
-    const Vec3 white = material("Kd xyz 0.9505 1 1.089\n").diffuse;
+    const Vec3 white = material("Kd xyz 0.9505 1 1.089\n").mtl->diffuse;
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(white[i], 1, 1e-3F);
-    const Vec3 green = material("Kd xyz 0.1 0.6 0.1\n").diffuse;
+    const Vec3 green = material("Kd xyz 0.1 0.6 0.1\n").mtl->diffuse;
     EXPECT_EQ(green.x, 0.0F);
     EXPECT_GT(green.y, 0.5F);
 }
@@ -84,17 +84,17 @@ TEST_F(Mtl, ReadsTexturesWithOptions) {
         "map_Bump -bm 0.5 -imfchan g my maps/wood.png\nnorm \"my maps/wood.png\"\n"
         "newmtl n\nmap_d my maps/wood.png\nmap_Ks C:\\lost\\..\\my maps\\wood.png\n");
     const scene::Material& m = scene.materials.at(0);
-    EXPECT_EQ(m.map_diffuse.scale, (Vec2{2, 3}));
-    EXPECT_EQ(m.map_diffuse.offset, (Vec2{0.5F, 0}));
-    EXPECT_TRUE(m.map_diffuse.clamp);
-    EXPECT_EQ(m.map_bump.strength, 0.5F);
-    EXPECT_EQ(m.map_bump.channel, 1);
-    EXPECT_EQ(scene.materials.at(1).map_opacity.channel, 4);
-    EXPECT_EQ(m.map_bump.texture, m.map_normal.texture) << "the same file, used the same way, is one texture";
+    EXPECT_EQ(m.mtl->map_diffuse.scale, (Vec2{2, 3}));
+    EXPECT_EQ(m.mtl->map_diffuse.offset, (Vec2{0.5F, 0}));
+    EXPECT_TRUE(m.mtl->map_diffuse.clamp);
+    EXPECT_EQ(m.mtl->map_bump.strength, 0.5F);
+    EXPECT_EQ(m.mtl->map_bump.channel, 1);
+    EXPECT_EQ(scene.materials.at(1).mtl->map_opacity.channel, 4);
+    EXPECT_EQ(m.mtl->map_bump.texture, m.mtl->map_normal.texture) << "the same file, used the same way, is one texture";
     ASSERT_GE(scene.textures.size(), 2U);
-    EXPECT_TRUE(scene.textures[m.map_diffuse.texture].srgb);
-    EXPECT_FALSE(scene.textures[m.map_bump.texture].srgb);
-    EXPECT_EQ(scene.textures[m.map_bump.texture].rgba8, scene.textures[m.map_diffuse.texture].rgba8);
+    EXPECT_TRUE(scene.textures[m.mtl->map_diffuse.texture].srgb);
+    EXPECT_FALSE(scene.textures[m.mtl->map_bump.texture].srgb);
+    EXPECT_EQ(scene.textures[m.mtl->map_bump.texture].rgba8, scene.textures[m.mtl->map_diffuse.texture].rgba8);
     EXPECT_EQ(scene.files.size(), 2U);
     EXPECT_EQ(warnings_.texts, (std::vector<std::string>{"7: missing texture 'C:\\lost\\..\\my maps\\wood.png'"}));
 }
@@ -105,10 +105,10 @@ TEST_F(Mtl, BadTexturesAreWarningsWithAStandIn) {
     const scene::Scene scene =
         import_text("newmtl m\nmap_Kd lost.png\nmap_Ks broken.png\nmap_Bump lost2.png\nmap_Ke .\n");
     const scene::Material& m = scene.materials.at(0);
-    ASSERT_LT(m.map_diffuse.texture, scene.textures.size());
-    EXPECT_EQ(scene.textures[m.map_diffuse.texture].rgba8.front(), 0xffff00ffU);
-    EXPECT_EQ(m.map_specular.texture, m.map_diffuse.texture);
-    EXPECT_EQ(m.map_bump.texture, scene::kNone);
+    ASSERT_LT(m.mtl->map_diffuse.texture, scene.textures.size());
+    EXPECT_EQ(scene.textures[m.mtl->map_diffuse.texture].rgba8.front(), 0xffff00ffU);
+    EXPECT_EQ(m.mtl->map_specular.texture, m.mtl->map_diffuse.texture);
+    EXPECT_EQ(m.mtl->map_bump.texture, scene::kNone);
     ASSERT_EQ(warnings_.texts.size(), 4U);
     EXPECT_EQ(warnings_.texts[0], "2: missing texture 'lost.png'");
     EXPECT_TRUE(warnings_.texts[1].starts_with("3: unreadable texture 'broken.png'")) << warnings_.texts[1];
@@ -119,9 +119,9 @@ TEST_F(Mtl, OddThingsAreWarnings) {
     const scene::Scene scene = import_text(
         "Kd 1 1 1\nnewmtl m\nKdd 1 1 1\nKdd 1 1 1\nPs 1\nd 1.5\nNi 0\nillum 99\nKs spectral file.rfl\nKd -1 0 "
         "0\nnewmtl m\n");
-    EXPECT_EQ(scene.materials.at(0).opacity, 1.0F);
-    EXPECT_EQ(scene.materials.at(0).ior, 1.0F);
-    EXPECT_EQ(scene.materials.at(0).diffuse, (Vec3{0, 0, 0}));
+    EXPECT_EQ(scene.materials.at(0).mtl->opacity, 1.0F);
+    EXPECT_EQ(scene.materials.at(0).mtl->ior, 1.0F);
+    EXPECT_EQ(scene.materials.at(0).mtl->diffuse, (Vec3{0, 0, 0}));
     EXPECT_EQ(warnings_.texts,
               (std::vector<std::string>{
                   "1: 'Kd' before the first newmtl is skipped", "3: unknown statement 'Kdd' is skipped",

@@ -147,11 +147,11 @@ void build_meshes(ObjFile& file, std::span<ObjRun> runs, std::span<scene::Object
         triangle_counts[run.object] += corners - 2 * (run.end_face - run.first_face);
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
-        std::get<Mesh>(objects[i].shape).triangles.resize(triangle_counts[i]);
+        std::get<Boxed<Mesh>>(objects[i].shape)->triangles.resize(triangle_counts[i]);
 
     std::vector<RoughCut> rough(runs.size());
     tbb::parallel_for(std::size_t{0}, runs.size(), [&](std::size_t i) {
-        Mesh& mesh = std::get<Mesh>(objects[runs[i].object].shape);
+        Mesh& mesh = *std::get<Boxed<Mesh>>(objects[runs[i].object].shape);
         rough[i] = fill_triangles(file.chunks[runs[i].chunk], runs[i], positions,
                                   mesh.triangles.data() + runs[i].first_triangle);
     });
@@ -160,7 +160,7 @@ void build_meshes(ObjFile& file, std::span<ObjRun> runs, std::span<scene::Object
 
     const bool alone = objects.size() == 1;
     tbb::parallel_for(std::size_t{0}, objects.size(), [&](std::size_t i) {
-        Mesh& mesh = std::get<Mesh>(objects[i].shape);
+        Mesh& mesh = *std::get<Boxed<Mesh>>(objects[i].shape);
         tbb::parallel_invoke(
             [&] { take_used(mesh.triangles, &Mesh::Triangle::position, positions, alone, mesh.positions); },
             [&] { take_used(mesh.triangles, &Mesh::Triangle::normal, normals, alone, mesh.normals); },

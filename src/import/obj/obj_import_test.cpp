@@ -34,7 +34,7 @@ protected:
         return "no error";
     }
     static const Mesh& mesh_of(const scene::Scene& scene, std::size_t object = 0) {
-        return std::get<Mesh>(scene.objects.at(object).shape);
+        return *std::get<Boxed<Mesh>>(scene.objects.at(object).shape);
     }
     /// Area of all triangles.
     static float area_of(const Mesh& mesh) {
@@ -129,7 +129,7 @@ TEST_F(ObjImport, FindsMaterialsInSeveralLibraries) {
         import_text("mtllib first one.mtl sub\\second.mtl\n" + std::string(kSquare) +
                     "f 1 2 3\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl both\nf 1 2 3\n");
     const auto diffuse = [&](std::size_t triangle) {
-        return scene.materials.at(mesh_of(scene).triangles.at(triangle).material).diffuse;
+        return scene.materials.at(mesh_of(scene).triangles.at(triangle).material).mtl->diffuse;
     };
     EXPECT_EQ(diffuse(0), (Vec3{0.8F, 0.8F, 0.8F}));
     EXPECT_EQ(diffuse(1), (Vec3{1, 0, 0}));
@@ -144,7 +144,7 @@ TEST_F(ObjImport, MissingThingsAreNamedOnceAndShown) {
     const scene::Scene scene =
         import_text("mtllib lost.mtl\nmtllib lost.mtl\nmtllib model.obj\n" + std::string(kSquare) +
                     "usemtl gone\nf 1 2 3\nusemtl gone\nf 1 2 3\nl 1 2\nl 2 3\np 1\n");
-    EXPECT_EQ(scene.materials.at(mesh_of(scene).triangles.at(0).material).diffuse, (Vec3{1, 0, 1}));
+    EXPECT_EQ(scene.materials.at(mesh_of(scene).triangles.at(0).material).mtl->diffuse, (Vec3{1, 0, 1}));
     EXPECT_EQ(warnings_.texts, (std::vector<std::string>{
                                    "17: 'l' statements are not drawn", "19: 'p' statements are not drawn",
                                    "1: missing material library 'lost.mtl'",

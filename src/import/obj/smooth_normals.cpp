@@ -12,7 +12,7 @@ using scene::Mesh;
 
 /// A run's triangles in its object's mesh.
 std::span<Mesh::Triangle> triangles_of(const ObjRun& run, std::uint32_t end, std::span<scene::Object> objects) {
-    Mesh& mesh = std::get<Mesh>(objects[run.object].shape);
+    Mesh& mesh = *std::get<Boxed<Mesh>>(objects[run.object].shape);
     return {mesh.triangles.data() + run.first_triangle, end - run.first_triangle};
 }
 
@@ -94,7 +94,7 @@ void smooth_normals(std::span<const ObjRun> runs, std::span<scene::Object> objec
     std::vector<SmoothRun> smooth;
     std::vector<std::uint32_t> ends(objects.size());
     for (std::size_t i = 0; i < objects.size(); ++i)
-        ends[i] = static_cast<std::uint32_t>(std::get<Mesh>(objects[i].shape).triangles.size());
+        ends[i] = static_cast<std::uint32_t>(std::get<Boxed<Mesh>>(objects[i].shape)->triangles.size());
     for (std::size_t i = runs.size(); i-- > 0;) {
         if (runs[i].smoothing_group > 0) smooth.push_back({&runs[i], ends[runs[i].object]});
         ends[runs[i].object] = runs[i].first_triangle;

@@ -113,10 +113,10 @@ TEST_F(Orbit, OwnKeys) {
     EXPECT_EQ(scene.settings.width, 320);
     EXPECT_EQ(scene.settings.max_depth, 0);
     ASSERT_EQ(scene.objects.size(), 4U);
-    EXPECT_EQ(scene.objects[0].motion.value().center, (Vec3{1, 1, 2})) << "the middle of its bounding box";
+    EXPECT_EQ(scene.objects[0].motion->center, (Vec3{1, 1, 2})) << "the middle of its bounding box";
     EXPECT_EQ(scene.objects[0].motion->move_amplitude, (Vec3{4, 5, 6}));
     EXPECT_EQ(scene.objects[1].name, "a ball");
-    EXPECT_EQ(scene.objects[1].motion.value().center, (Vec3{9, 9, 9}));
+    EXPECT_EQ(scene.objects[1].motion->center, (Vec3{9, 9, 9}));
     EXPECT_EQ(scene.materials.at(scene.objects[2].material).name, "deep blue");
     EXPECT_EQ(std::get<scene::Plane>(scene.objects[3].shape).normal, (Vec3{0, 0, 1}));
     EXPECT_TRUE(warnings_.texts.empty()) << warnings_.texts.front();
@@ -125,7 +125,7 @@ TEST_F(Orbit, OwnKeys) {
 // Catches a missing library or material that ends the import or goes unseen.
 TEST_F(Orbit, MissingMaterialsAreShown) {
     const scene::Scene scene = with("mtllib = lost.mtl\nsphere = ball gold 0 0 0 1\n");
-    EXPECT_EQ(scene.materials.at(scene.objects.at(1).material).diffuse, (Vec3{1, 0, 1}));
+    EXPECT_EQ(scene.materials.at(scene.objects.at(1).material).mtl->diffuse, (Vec3{1, 0, 1}));
     EXPECT_EQ(warnings_.texts,
               (std::vector<std::string>{"11: missing material library 'lost.mtl'", "12: missing material 'gold'"}));
 }

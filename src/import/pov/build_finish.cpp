@@ -4,6 +4,7 @@
 #include <array>
 
 #include "import/pov/build_media.h"
+#include "import/pov/byte_key.h"
 
 namespace sundog::pov {
 namespace {
@@ -203,6 +204,15 @@ private:
 };
 
 }  // namespace
+
+std::string bytes_of(const scene::Finish& f) {
+    std::string key;
+    append_bytes(key, f.ambient, f.emission, f.diffuse, f.diffuse_back, f.brilliance, f.phong, f.phong_size, f.specular,
+                 f.roughness, f.metallic, f.reflection_min, f.reflection_max, f.reflection_falloff,
+                 f.reflection_exponent, f.reflection_metallic, f.reflection_fresnel, f.conserve_energy, f.crand, f.irid,
+                 f.irid_thickness, f.irid_turbulence);
+    return key;
+}
 
 FinishParts read_finish(BuildContext& context, const Block& block, FinishParts start) {
     return FinishReader(context, block, std::move(start)).read();

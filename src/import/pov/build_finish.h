@@ -2,6 +2,8 @@
 // Finishes and interiors (POV-Ray reference, sections 3.4.6.3 "Finish" and 3.4.8.1 "Interior").
 #pragma once
 
+#include <string>
+
 #include "import/pov/build_items.h"
 #include "scene/pigment.h"
 
@@ -16,6 +18,9 @@ struct FinishParts {
 
 /// The finish of a `finish { }`, changed from `start` as its items say.
 FinishParts read_finish(BuildContext& context, const Block& block, FinishParts start);
+
+/// A key for finishes: equal for equal ones.
+std::string bytes_of(const scene::Finish& finish);
 
 /// The interior of an `interior { }`.
 scene::Interior read_interior(BuildContext& context, const Block& block);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "import/pov/byte_key.h"
+
 namespace sundog::pov {
 namespace {
 
@@ -15,30 +17,37 @@ bool follows_space(const scene::LayeredTexture& texture) {
 }
 
 /// How many materials are kept in mind at a time.
-constexpr std::size_t kMostRemembered = 65536;
-
-template <class T>
-void append_bytes(std::string& key, const T& value) {
-    // Of addresses, too.
-    key.append(reinterpret_cast<const char*>(&value), sizeof(value));  // NOLINT(bugprone-sizeof-expression)
-}
+constexpr std::size_t kMostRemembered = 4096;
 
 }  // namespace
 
-scene::Index MaterialTable::append(const TexturePointer& texture, const Affine3d& world_from_texture,
+MaterialTable::Look MaterialTable::look_of(const TexturePointer& texture) {
+    const scene::TextureLayer& layer = texture->layers.front();
+    const bool plain = texture->layers.size() == 1 && !texture->blended && !is_positional(*texture) &&
+                       !layer.first_part && !layer.parts_end;
+    if (!plain) return {texture, {}};
+    if (colorless_.size() >= kMostRemembered) colorless_.clear();
+    return {colorless_.try_emplace(bytes_of(layer.finish), texture).first->second, layer.pigment->color};
+}
+
+scene::Index MaterialTable::append(const Look& look, const SourceLocation& where, const Affine3d& world_from_texture,
                                    const PlacedInterior& inside) {
     scene::Material material;
     material.name = "texture";
-    material.where = texture->layers.front().pigment->where;
-    material.patterned = scene::PatternedSurface{texture, inverse(world_from_texture), {}, {}, inside.hollow, 0};
-    material.patterned->light_set = inside.light_set;
-    material.patterned->double_illuminate = inside.double_illuminate;
+    material.where = where;
+    scene::PatternedSurface& surface = material.patterned.emplace();
+    surface.texture = look.texture;
+    surface.color = look.color;
+    if (follows_space(*look.texture)) surface.texture_from_world = inverse(world_from_texture);
+    surface.hollow = inside.hollow;
+    surface.light_set = inside.light_set;
+    surface.double_illuminate = inside.double_illuminate;
     if (const InteriorPointer& interior = inside.interior) {
-        material.patterned->interior = *interior;
+        surface.interior = interior;
         // The table holds on to interiors, so that none comes to lie where another one was.
         const auto number = static_cast<std::uint32_t>(interiors_.size() + 1);
-        material.patterned->interior_number = interiors_.try_emplace(interior, number).first->second;
-        if (interior->media) material.patterned->interior_from_world = inverse(inside.world_from_interior);
+        surface.interior_number = interiors_.try_emplace(interior, number).first->second;
+        if (interior->media) surface.interior_from_world = inverse(inside.world_from_interior);
     }
     scene_.materials.push_back(std::move(material));
     return static_cast<scene::Index>(scene_.materials.size() - 1);
@@ -48,25 +57,24 @@ scene::Index MaterialTable::of(const TexturePointer& texture, const Affine3d& wo
                                const PlacedInterior& inside) {
     const scene::Interior* const interior = inside.interior.get();
     const bool has_media = interior != nullptr && interior->media;
-    if (texture.get() == last_texture_ && interior == last_interior_ && inside.hollow == last_hollow_ &&
+    if (texture == last_texture_ && interior == last_interior_ && inside.hollow == last_hollow_ &&
         inside.double_illuminate == last_double_illuminate_ && inside.light_set == last_light_set_)
         return last_;
     const bool follows = follows_space(*texture);
-    const Affine3d placed = follows ? world_from_texture : Affine3d{};
+    const Look look = look_of(texture);
+    // Materials and colorless_ hold on to textures, so an address is one texture's for good.
     std::string key;
-    append_bytes(key, texture.get());
-    append_bytes(key, interior);
-    append_bytes(key, inside.hollow);
-    append_bytes(key, inside.double_illuminate);
-    append_bytes(key, inside.light_set);
+    append_bytes(key, look.texture.get(), interior, inside.hollow, inside.double_illuminate, inside.light_set);
+    if (look.color)
+        append_bytes(key, look.color->r, look.color->g, look.color->b, look.color->filter, look.color->transmit);
     if (has_media) append_bytes(key, inside.world_from_interior);
-    if (follows) append_bytes(key, placed);
+    if (follows) append_bytes(key, world_from_texture);
     // As for textures: what comes again does so soon.
     if (known_.size() >= kMostRemembered) known_.clear();
     const auto [known, is_new] = known_.try_emplace(std::move(key), 0);
-    if (is_new) known->second = append(texture, placed, inside);
+    if (is_new) known->second = append(look, texture->layers.front().pigment->where, world_from_texture, inside);
     if (!follows && !has_media) {
-        last_texture_ = texture.get(), last_interior_ = interior, last_hollow_ = inside.hollow;
+        last_texture_ = texture, last_interior_ = interior, last_hollow_ = inside.hollow;
         last_double_illuminate_ = inside.double_illuminate, last_light_set_ = inside.light_set;
         last_ = known->second;
     }

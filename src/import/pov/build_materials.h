@@ -2,6 +2,7 @@
 // The scene's materials, one for each texture and place that it lies in.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -29,13 +30,20 @@ public:
     scene::Index of(const TexturePointer& texture, const Affine3d& world_from_texture, const PlacedInterior& inside);
 
 private:
-    scene::Index append(const TexturePointer& texture, const Affine3d& world_from_texture,
+    /// A texture as materials have it: those that are a colour and a finish share one, and keep their colour.
+    struct Look {
+        TexturePointer texture;
+        std::optional<scene::PigmentColor> color;
+    };
+    Look look_of(const TexturePointer& texture);
+    scene::Index append(const Look& look, const SourceLocation& where, const Affine3d& world_from_texture,
                         const PlacedInterior& inside);
 
     scene::Scene& scene_;
     std::unordered_map<std::string, scene::Index> known_;
+    std::unordered_map<std::string, TexturePointer> colorless_;     // By bytes_of() their finish.
     std::unordered_map<InteriorPointer, std::uint32_t> interiors_;  // Their numbers, from 1.
-    const scene::LayeredTexture* last_texture_ = nullptr;           // Of the last material that is the same everywhere.
+    TexturePointer last_texture_;                                   // Of the last material that is the same everywhere.
     const scene::Interior* last_interior_ = nullptr;
     bool last_hollow_ = false, last_double_illuminate_ = false;
     std::uint32_t last_light_set_ = 0;

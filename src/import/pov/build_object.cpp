@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "import/pov/build_photons.h"
 #include "import/pov/build_radiosity.h"
@@ -197,7 +198,7 @@ private:
 
     bool read_flag() {
         if (const auto photons = items_.take_block(Keyword::photons)) {
-            node_.photons = read_object_photons(context_, *photons, node_.photons.value_or(scene::ObjectPhotons{}));
+            node_.photons = read_object_photons(context_, *photons, *std::as_const(node_.photons));
             return true;
         }
         if (const auto radiosity = items_.take_block(Keyword::radiosity)) {

@@ -88,7 +88,7 @@ TEST(BuildPhotons, ObjectsAreRead) {
         union { sphere { 0, 1 } sphere { 3, 1 photons { collect on } } photons { target collect off } }
         union { sphere { 0, 1 } sphere { 3, 1 } split_union off photons { target } }
         global_settings { photons { count 10 } })");
-    const auto photons = [&](std::size_t i) { return built.scene.objects.at(i).photons; };
+    const auto photons = [&](std::size_t i) { return *built.scene.objects.at(i).photons; };
     EXPECT_EQ(photons(0), scene::ObjectPhotons{});
     EXPECT_TRUE(photons(1).target && photons(1).collect);
     EXPECT_EQ(photons(1).refraction, PhotonSwitch::unset);
@@ -121,7 +121,7 @@ TEST(BuildPhotons, LightsAreRead) {
     EXPECT_EQ(built.scene.lights[2].photons.refraction, PhotonSwitch::off);
     EXPECT_TRUE(built.scene.lights[2].photons.area_light);
     EXPECT_NE(built.scene.lights[2].group, 0U);
-    EXPECT_TRUE(built.scene.objects[0].photons.target);
+    EXPECT_TRUE(built.scene.objects[0].photons->target);
     EXPECT_FALSE(built.scene.photons);
 }
 

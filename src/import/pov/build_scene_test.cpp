@@ -239,13 +239,13 @@ TEST(BuildMesh, Mesh2KeepsIndicesNormalsAndTextures) {
         " normal_vectors { 4, <0,0,1>, <0,0,1>, <0,0,1>, <0,0,1> }"
         " texture_list { 2, texture { pigment { rgb x } } texture { pigment { rgb y } } }"
         " face_indices { 2, <0,1,2>, 0, <1,3,2>, 1 } translate z }");
-    const auto& mesh = std::get<scene::Mesh>(built.scene.objects.at(0).shape);
+    const auto& mesh = *std::get<Boxed<scene::Mesh>>(built.scene.objects.at(0).shape);
     ASSERT_EQ(mesh.triangles.size(), 2U);
     EXPECT_EQ(mesh.triangles[1].position[1], 3U);
     EXPECT_EQ(mesh.triangles[1].normal[1], 3U);
     expect_near(mesh.positions[3], {1, 1, 1});
     const auto color = [&](std::size_t i) {
-        return built.scene.materials.at(mesh.triangles[i].material).patterned->texture->layers[0].pigment->color;
+        return built.scene.materials.at(mesh.triangles[i].material).patterned->color.value();
     };
     EXPECT_EQ(color(0).r, 1);
     EXPECT_EQ(color(1).g, 1);

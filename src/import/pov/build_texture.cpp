@@ -13,6 +13,7 @@
 #include "import/pov/build_radiosity.h"
 #include "import/pov/build_texture_map.h"
 #include "import/pov/build_transform.h"
+#include "import/pov/byte_key.h"
 
 namespace sundog::pov {
 namespace {
@@ -22,26 +23,14 @@ using scene::Pigment;
 using scene::TextureLayer;
 
 /// How many different plain textures are kept in mind at a time.
-constexpr std::size_t kMostRemembered = 65536;
-
-/// Bytes that are equal for equal numbers.
-template <class... Numbers>
-void append_bytes(std::string& key, const Numbers&... numbers) {
-    (key.append(reinterpret_cast<const char*>(&numbers), sizeof(numbers)), ...);
-}
+constexpr std::size_t kMostRemembered = 256;
 
 /// Tells plain single-layer textures apart; empty for all others.
 std::string key_of(const LayeredTexture& texture) {
-    std::string key;
-    if (texture.layers.size() != 1 || is_positional(texture)) return key;
+    if (texture.layers.size() != 1 || is_positional(texture)) return {};
     const scene::PigmentColor& c = texture.layers[0].pigment->color;
-    const scene::Finish& f = texture.layers[0].finish;
-    append_bytes(key, c.r, c.g, c.b, c.filter, c.transmit, f.ambient, f.emission, f.diffuse, f.diffuse_back,
-                 f.brilliance, f.phong, f.phong_size, f.specular, f.roughness, f.metallic, f.reflection_min,
-                 f.reflection_max, f.reflection_falloff, f.reflection_exponent, f.reflection_metallic, f.crand, f.irid,
-                 f.irid_thickness, f.irid_turbulence);
-    key.push_back(f.reflection_fresnel ? '1' : '0');
-    key.push_back(f.conserve_energy ? '1' : '0');
+    std::string key = bytes_of(texture.layers[0].finish);
+    append_bytes(key, c.r, c.g, c.b, c.filter, c.transmit);
     return key;
 }
 

@@ -19,10 +19,18 @@ const scene::TextureLayer& layer(const BuiltScene& built, std::size_t object = 0
 }
 const scene::Pigment& pigment(const BuiltScene& built, std::size_t object = 0) { return *layer(built, object).pigment; }
 
+/// The colour of a plain texture.
+scene::PigmentColor material_color(const BuiltScene& built, scene::Index material) {
+    return built.scene.materials.at(material).patterned->color.value();
+}
+scene::PigmentColor object_color(const BuiltScene& built, std::size_t object) {
+    return material_color(built, built.scene.objects.at(object).material);
+}
+
 /// A point of the world as the pigment's pattern sees it.
 Vec3d pattern_point(const BuiltScene& built, Vec3d world, std::size_t object = 0) {
     const Affine3d& pattern = pigment(built, object).pattern.pattern_from_texture;
-    return transform_point(pattern, transform_point(surface(built, object).texture_from_world, world));
+    return transform_point(pattern, transform_point(*surface(built, object).texture_from_world, world));
 }
 void expect_near(Vec3d actual, Vec3d expected) {
     EXPECT_NEAR(actual.x, expected.x, 1e-9);
@@ -37,6 +45,20 @@ TEST(BuildTexture, EqualPlainTexturesAreOneMaterial) {
         " #declare I = I + 1; #end");
     EXPECT_EQ(built.scene.objects.size(), 100U);
     EXPECT_EQ(built.scene.materials.size(), 2U);
+}
+
+// Textures kept for each of a million colours, where one for each finish does; or colours mixed up among those that
+// share one.
+TEST(BuildTexture, TexturesOfOneFinishShareAllButTheirColour) {
+    const BuiltScene built = build(
+        "sphere { 0, 1 pigment { rgb x } } sphere { x, 1 pigment { rgbt <0, 1, 0, 0.5> } }"
+        " sphere { y, 1 pigment { rgb x } finish { phong 1 } }");
+    EXPECT_EQ(surface(built, 0).texture, surface(built, 1).texture);
+    EXPECT_NE(surface(built, 0).texture, surface(built, 2).texture);
+    EXPECT_EQ(object_color(built, 0).r, 1);
+    EXPECT_EQ(object_color(built, 1).g, 1);
+    EXPECT_EQ(object_color(built, 1).transmit, 0.5F);
+    EXPECT_EQ(object_color(built, 2).r, 1);
 }
 
 TEST(BuildTexture, PatternsMakeAMaterialForEachPlace) {
@@ -81,17 +103,12 @@ TEST(BuildTexture, ChildrenWithoutTextureTakeTheParents) {
     const BuiltScene built = build(
         "union { sphere { 0, 1 } sphere { x, 1 pigment { rgb y } } pigment { rgb x } }"
         "difference { box { -1, 1 } sphere { 0, 1 pigment { rgb z } } pigment { rgb x } }");
-    EXPECT_EQ(pigment(built, 0).color.r, 1);
-    EXPECT_EQ(pigment(built, 1).color.g, 1);
+    EXPECT_EQ(object_color(built, 0).r, 1);
+    EXPECT_EQ(object_color(built, 1).g, 1);
     const auto& solid = *std::get<std::shared_ptr<const scene::Solid>>(built.scene.objects.at(2).shape);
     const auto& group = std::get<scene::SolidGroup>(solid.shape);
-    const auto color = [&](std::size_t child) {
-        return built.scene.materials.at(group.children.at(child)->material)
-            .patterned->texture->layers[0]
-            .pigment->color;
-    };
-    EXPECT_EQ(color(0).r, 1);
-    EXPECT_EQ(color(1).b, 1);
+    EXPECT_EQ(material_color(built, group.children.at(0)->material).r, 1);
+    EXPECT_EQ(material_color(built, group.children.at(1)->material).b, 1);
 }
 
 // texture { } on an object that has one lies over it; pigment { } replaces its pigment (both as povray draws them).
@@ -102,7 +119,7 @@ TEST(BuildTexture, TexturesLayerAndPigmentsReplace) {
     ASSERT_EQ(surface(built, 0).texture->layers.size(), 2U);
     EXPECT_EQ(layer(built, 0, 1).pigment->color.transmit, 0.5F);
     ASSERT_EQ(surface(built, 1).texture->layers.size(), 1U);
-    EXPECT_EQ(pigment(built, 1).color.b, 1);
+    EXPECT_EQ(object_color(built, 1).b, 1);
     EXPECT_EQ(layer(built, 1).finish.phong, 1);
 }
 
@@ -112,7 +129,7 @@ TEST(BuildTexture, DefaultsBindWherePovrayBindsThem) {
         "#declare S = sphere { 0, 1 } #declare T = texture { pigment { rgb x } }"
         "#default { pigment { rgb y } finish { ambient 0.7 } } object { S } sphere { 0, 1 texture { T } }"
         "sphere { 0, 1 pigment { rgb z } }");
-    EXPECT_EQ(pigment(built, 0).color.g, 1);
+    EXPECT_EQ(object_color(built, 0).g, 1);
     EXPECT_FLOAT_EQ(layer(built, 0).finish.ambient.x, 0.7F);
     EXPECT_FLOAT_EQ(layer(built, 1).finish.ambient.x, 0.1F);
     EXPECT_FLOAT_EQ(layer(built, 2).finish.ambient.x, 0.7F);
@@ -156,14 +173,14 @@ TEST(BuildFinish, ReflectionTakesOneColorOrTwo) {
     EXPECT_FLOAT_EQ(layer(built, 1).finish.reflection_max.z, 0.7F);
     EXPECT_TRUE(layer(built, 1).finish.reflection_fresnel);
     EXPECT_TRUE(layer(built, 1).finish.conserve_energy);
-    EXPECT_FLOAT_EQ(surface(built, 1).interior.ior, 1.5F);
-    EXPECT_FLOAT_EQ(surface(built, 1).interior.fade_power, 1001);
+    EXPECT_FLOAT_EQ(surface(built, 1).interior->ior, 1.5F);
+    EXPECT_FLOAT_EQ(surface(built, 1).interior->fade_power, 1001);
 }
 
 // Finishes of before 3.1 said what interiors say since.
 TEST(BuildFinish, OldFinishesMakeInteriors) {
     const BuiltScene built = build("#version 3.0; sphere { 0, 1 pigment { rgbf 1 } finish { refraction 1 ior 1.4 } }");
-    EXPECT_FLOAT_EQ(surface(built).interior.ior, 1.4F);
+    EXPECT_FLOAT_EQ(surface(built).interior->ior, 1.4F);
 }
 
 // A texture_map is exact where its finishes are equal: its pigments in one map.

@@ -158,7 +158,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     object.seen_by_camera = !inside.no_image;
     object.seen_in_reflections = !inside.no_reflection;
     object.seen_by_radiosity = !inside.no_radiosity;
-    object.photons = inside.photons;
+    if (!(inside.photons == scene::ObjectPhotons{})) object.photons = inside.photons;
     object.projects = inside.projects;
     const auto* mesh = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape);
     if (mesh && plain && !inside.interior_texture) {

@@ -289,7 +289,7 @@ void interpret(const fs::path& file, const PovOptions& options, SourceFiles& sou
     SourceText source = read_text_file(file);
     fs::path folder = file.parent_path();
     if (folder.empty()) folder = ".";
-    Interpreter(options, std::move(folder), sources, sink, queries, warn).run(file, std::move(source));
+    Interpreter(options, std::move(folder), sources, sink, queries, warn).run(file, source);
 }
 
 void interpret_text(std::string name, std::string_view text, const fs::path& folder, const PovOptions& options,

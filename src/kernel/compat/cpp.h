@@ -20,9 +20,11 @@
 #define SUNDOG_KERNEL_PASTE(a, b) SUNDOG_KERNEL_PASTE_(a, b)
 #ifdef SUNDOG_KERNEL_FEATURES
 #define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(plain_lanes, SUNDOG_KERNEL_LANES)
+#define FN_RECURSIVE FN
 #else
 #define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES)
 #define SUNDOG_KERNEL_FEATURES 0xffffffffu
+#define FN_RECURSIVE FN_LARGE
 #endif
 #define KERNEL_BEGIN           \
     namespace sundog::kernel { \
@@ -34,6 +36,7 @@
 #define FN [[gnu::always_inline]] inline
 /// For a large function that is called from several places: one copy of it.
 #define FN_LARGE [[gnu::noinline]] inline
+// FN_RECURSIVE, above: for a large function that calls itself, but never in plain scenes, which its call would slow.
 #define OUT(T) T&
 #define INOUT(T) T&
 #define SCENE const SceneView &scene,

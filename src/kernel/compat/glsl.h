@@ -8,6 +8,7 @@
 #define KERNEL_END
 #define FN
 #define FN_LARGE
+#define FN_RECURSIVE
 #define OUT(T) out T
 #define INOUT(T) inout T
 #define SCENE

@@ -37,7 +37,7 @@ KERNEL_BEGIN
 /// waits on a stack of MAX_BRANCHES entries; when that is full, only the stronger of the two is followed. Highlights
 /// sit on the surface: transparency doesn't thin them. Textures of layers add what they reflect and let through to
 /// their own light, which counts whole at any depth, as POV-Ray has it.
-FN_LARGE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(FirstHit) first) {
     real3 black = real3(real(0.0f));
     real3 radiance = black;
     PathState waiting[MAX_BRANCHES];

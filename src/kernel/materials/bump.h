@@ -55,14 +55,15 @@ FN real3 bumped_normal(SCENE Surface s) {
     real du2 = max(dot(dp_du, dp_du), real(1e-30f));
     real dv2 = max(dot(dp_dv, dp_dv), real(1e-30f));
 
-    word bump = FIELD(materials, s.material, bump_texture.texture);
+    word maps = FIELD(materials, s.material, maps);
+    word bump = FIELD(material_maps, maps, bump.texture);
     mask bumps = mask_and(usable, bump != word(NONE));
     if (any_lane(bumps)) {
         word texture = valid_index(bumps, bump);
-        word flags = FIELD(materials, s.material, bump_texture.flags);
-        real2 scale = FIELD(materials, s.material, bump_texture.scale);
-        real2 uv = s.uv * scale + FIELD(materials, s.material, bump_texture.offset);
-        real strength = FIELD(materials, s.material, bump_texture.strength);
+        word flags = FIELD(material_maps, maps, bump.flags);
+        real2 scale = FIELD(material_maps, maps, bump.scale);
+        real2 uv = s.uv * scale + FIELD(material_maps, maps, bump.offset);
+        real strength = FIELD(material_maps, maps, bump.strength);
         // Differences over one texel. Heights are in units of the texture's width on the surface, so that a map keeps
         // its slope when the model is scaled.
         real step_u = 1.0f / real_from_word(FIELD(textures, texture, width));
@@ -76,16 +77,16 @@ FN real3 bumped_normal(SCENE Surface s) {
         n = select(bumps, normalize(bumped), n);
     }
 
-    word map = FIELD(materials, s.material, normal_texture.texture);
+    word map = FIELD(material_maps, maps, normal.texture);
     mask mapped = mask_and(usable, map != word(NONE));
     if (any_lane(mapped)) {
         word texture = valid_index(mapped, map);
-        word flags = FIELD(materials, s.material, normal_texture.flags);
-        real2 scale = FIELD(materials, s.material, normal_texture.scale);
-        real2 uv = s.uv * scale + FIELD(materials, s.material, normal_texture.offset);
+        word flags = FIELD(material_maps, maps, normal.flags);
+        real2 scale = FIELD(material_maps, maps, normal.scale);
+        real2 uv = s.uv * scale + FIELD(material_maps, maps, normal.offset);
         real alpha;
         real3 stored = texture_lookup(SCENE_ texture, flags, uv, alpha);
-        real strength = FIELD(materials, s.material, normal_texture.strength);
+        real strength = FIELD(material_maps, maps, normal.strength);
         real x = (stored.x * 2.0f - 1.0f) * strength;
         real y = (stored.y * 2.0f - 1.0f) * strength;
         real z = stored.z * 2.0f - 1.0f;

@@ -54,12 +54,13 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
         if (FEATURE(FEATURE_NORMALS)) layered.normal[l] = s.normal;
     }
     layered.mirror = s.normal;
-    word index = FIELD(materials, s.material, patterned);
     mask todo = mask_and(found, lobes.patterned);
+    word index = valid_index(todo, FIELD(materials, s.material, patterned));
+    word look = FIELD(patterned, index, look);
     real cos_in = -dot(s.normal, incoming);
     while (any_lane(todo)) {
-        uint i = first_lane(todo, index);
-        mask here = mask_and(todo, index == word(i));
+        uint i = first_lane(todo, look);
+        mask here = mask_and(todo, look == word(i));
         todo = mask_and(todo, mask_not(here));
         PatternedMaterial m = AT(patterned, i);
         real3 p = s.position;
@@ -93,7 +94,11 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             asked.world = s.position;
             asked.asking = in_part;
             PigmentColor c = no_color();
-            if (any_lane(in_part)) {
+            if (layer.program == NONE) {
+                c.rgb = FIELD(patterned, index, color);
+                c.filtered = FIELD(patterned, index, filtered);
+                c.transmitted = FIELD(patterned, index, transmitted);
+            } else if (any_lane(in_part)) {
                 ProgramResult answer = run_whole_program(SCENE_ layer.program, asked);
                 c = answer.color;
                 if (begins_part) {
@@ -191,12 +196,12 @@ FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask behind
                      real3 light_color, uint light_flags, uint light_number, real3 to_light, real3 to_eye,
                      INOUT(real3) base, INOUT(real3) highlight) {
     real3 black = real3(real(0.0f));
-    word index = FIELD(materials, s.material, patterned);
     mask todo = mask_and(lit, patterned_lanes);
+    word look = FIELD(patterned, valid_index(todo, FIELD(materials, s.material, patterned)), look);
     real cosine = max(dot(s.normal, to_light), real(0.0f));
     while (any_lane(todo)) {
-        uint i = first_lane(todo, index);
-        mask here = mask_and(todo, index == word(i));
+        uint i = first_lane(todo, look);
+        mask here = mask_and(todo, look == word(i));
         todo = mask_and(todo, mask_not(here));
         PatternedMaterial m = AT(patterned, i);
         for (uint l = 0u; l < m.layer_count; l = l + 1u) {

@@ -37,48 +37,42 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
         lobes.ambient = select(other, color, lobes.ambient);
     }
     real alpha;
-    word texture = FIELD(materials, s.material, diffuse_texture.texture);
+    word maps = FIELD(materials, s.material, maps);
+    word texture = FIELD(material_maps, maps, diffuse.texture);
     mask used = texture != word(NONE);
     if (any_lane(used)) {
-        real3 color =
-            texture_lookup(SCENE_ valid_index(used, texture), FIELD(materials, s.material, diffuse_texture.flags),
-                           s.uv * FIELD(materials, s.material, diffuse_texture.scale) +
-                               FIELD(materials, s.material, diffuse_texture.offset),
-                           alpha);
+        real3 color = texture_lookup(
+            SCENE_ valid_index(used, texture), FIELD(material_maps, maps, diffuse.flags),
+            s.uv * FIELD(material_maps, maps, diffuse.scale) + FIELD(material_maps, maps, diffuse.offset), alpha);
         color = select(used, color, real3(real(1.0f)));
         lobes.diffuse = lobes.diffuse * color;
         lobes.ambient = lobes.ambient * color;
     }
-    texture = FIELD(materials, s.material, specular_texture.texture);
+    texture = FIELD(material_maps, maps, specular.texture);
     used = texture != word(NONE);
     if (any_lane(used)) {
-        real3 color =
-            texture_lookup(SCENE_ valid_index(used, texture), FIELD(materials, s.material, specular_texture.flags),
-                           s.uv * FIELD(materials, s.material, specular_texture.scale) +
-                               FIELD(materials, s.material, specular_texture.offset),
-                           alpha);
+        real3 color = texture_lookup(
+            SCENE_ valid_index(used, texture), FIELD(material_maps, maps, specular.flags),
+            s.uv * FIELD(material_maps, maps, specular.scale) + FIELD(material_maps, maps, specular.offset), alpha);
         color = select(used, color, real3(real(1.0f)));
         lobes.specular = lobes.specular * color;
         lobes.reflectance = lobes.reflectance * color;
     }
-    texture = FIELD(materials, s.material, emission_texture.texture);
+    texture = FIELD(material_maps, maps, emission.texture);
     used = texture != word(NONE);
     if (any_lane(used)) {
-        real3 color =
-            texture_lookup(SCENE_ valid_index(used, texture), FIELD(materials, s.material, emission_texture.flags),
-                           s.uv * FIELD(materials, s.material, emission_texture.scale) +
-                               FIELD(materials, s.material, emission_texture.offset),
-                           alpha);
+        real3 color = texture_lookup(
+            SCENE_ valid_index(used, texture), FIELD(material_maps, maps, emission.flags),
+            s.uv * FIELD(material_maps, maps, emission.scale) + FIELD(material_maps, maps, emission.offset), alpha);
         lobes.emission = select(used, lobes.emission * color, lobes.emission);
     }
-    texture = FIELD(materials, s.material, opacity_texture.texture);
+    texture = FIELD(material_maps, maps, opacity.texture);
     used = texture != word(NONE);
     if (any_lane(used)) {
-        word ref_flags = FIELD(materials, s.material, opacity_texture.flags);
-        real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags,
-                                     s.uv * FIELD(materials, s.material, opacity_texture.scale) +
-                                         FIELD(materials, s.material, opacity_texture.offset),
-                                     alpha);
+        word ref_flags = FIELD(material_maps, maps, opacity.flags);
+        real3 color = texture_lookup(
+            SCENE_ valid_index(used, texture), ref_flags,
+            s.uv * FIELD(material_maps, maps, opacity.scale) + FIELD(material_maps, maps, opacity.offset), alpha);
         real opacity = select(used, texture_channel(color, alpha, ref_flags), real(1.0f));
         // What the map takes away lets light pass straight through.
         lobes.transmittance = real3(real(1.0f)) - (real3(real(1.0f)) - lobes.transmittance) * opacity;
