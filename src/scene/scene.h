@@ -229,7 +229,7 @@ struct Object {
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
     bool seen_by_radiosity = true;    ///< no_radiosity
-    Boxed<ObjectPhotons> photons;     ///< Few objects have any to do with them.
+    Boxed<ObjectPhotons> photons{};   ///< Few objects have any to do with them.
     std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
 };
 
