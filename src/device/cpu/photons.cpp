@@ -24,6 +24,8 @@ constexpr double kMostShot = 1e9;
 /// Guessed radii, over those that as many photons take as are gathered at most: povray's are as wide.
 constexpr float kWider = 6, kWiderInMedia = 3;
 constexpr int kExpansions = 2;
+/// Of a disc or ball that photons are spread over.
+constexpr float kLeastSize = 1e-30F;
 
 constexpr auto kPi = static_cast<float>(std::numbers::pi);
 
@@ -266,29 +268,35 @@ void set_answer(kernel::PhotonQuery& q, std::size_t lane, const PhotonMap::Found
 
 }  // namespace
 
-void Photons::on_surface(kernel::PhotonQuery& q) const {
-    const auto density = [](const PhotonMap::Found& found) {
+PhotonMap::Found Photons::gather(const PhotonMap& map, PhotonMap::Search search, int power,
+                                 PhotonMap::Scratch& scratch) const {
+    const auto density = [power](const PhotonMap::Found& found) {
         const Vec3& p = found.power;
-        return (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) / std::max(found.radius * found.radius, 1e-30F);
+        return (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) /
+               std::max(std::pow(found.radius, static_cast<float>(power)), kLeastSize);
     };
+    PhotonMap::Found found = map.find(search, scratch);
+    for (int i = 0; i < kExpansions && found.count < settings_.gather_min; ++i) {
+        search.radius *= 2;
+        const PhotonMap::Found wider = map.find(search, scratch);
+        // Beyond a caustic's border there is more light than here.
+        const bool denser = density(wider) > density(found) * (1 + settings_.expand_increase);
+        if (denser && wider.count >= settings_.expand_min) break;
+        found = wider;
+    }
+    return found;
+}
+
+void Photons::on_surface(kernel::PhotonQuery& q) const {
     PhotonMap::Scratch scratch;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(q.lanes); ++lane) {
         const Vec3 normal{q.normal_x[lane], q.normal_y[lane], q.normal_z[lane]};
         PhotonMap::Found found;
-        if (q.wanted[lane] != 0 && !surface_.empty()) {
-            PhotonMap::Search search{{q.x[lane], q.y[lane], q.z[lane]}, normal, settings_.gather_max, radius_};
-            found = surface_.find(search, scratch);
-            for (int i = 0; i < kExpansions && found.count < settings_.gather_min; ++i) {
-                search.radius *= 2;
-                const PhotonMap::Found wider = surface_.find(search, scratch);
-                // Beyond a caustic's border there is more light than here.
-                const bool denser = density(wider) > density(found) * (1 + settings_.expand_increase);
-                if (denser && wider.count >= settings_.expand_min) break;
-                found = wider;
-            }
-        }
-        set_answer(q, lane, found, found.count > 0 ? 1 / (kPi * std::max(found.radius * found.radius, 1e-30F)) : 0,
-                   normal);
+        if (q.wanted[lane] != 0 && !surface_.empty())
+            found = gather(surface_, {{q.x[lane], q.y[lane], q.z[lane]}, normal, settings_.gather_max, radius_}, 2,
+                           scratch);
+        const float area = kPi * found.radius * found.radius;
+        set_answer(q, lane, found, found.count > 0 ? 1 / std::max(area, kLeastSize) : 0, normal);
     }
 }
 
@@ -296,12 +304,11 @@ void Photons::in_medium(kernel::PhotonQuery& q) const {
     PhotonMap::Scratch scratch;
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(q.lanes); ++lane) {
         PhotonMap::Found found;
-        if (q.wanted[lane] != 0) {
-            const Vec3 point{q.x[lane], q.y[lane], q.z[lane]};
-            found = media_.find({point, {}, settings_.gather_max, media_radius_}, scratch);
-        }
+        if (q.wanted[lane] != 0)
+            found = gather(media_, {{q.x[lane], q.y[lane], q.z[lane]}, {}, settings_.gather_max, media_radius_}, 3,
+                           scratch);
         const float volume = 4 * kPi / 3 * found.radius * found.radius * found.radius;
-        set_answer(q, lane, found, found.count > 0 ? 1 / std::max(volume, 1e-30F) : 0, {0, 0, 1});
+        set_answer(q, lane, found, found.count > 0 ? 1 / std::max(volume, kLeastSize) : 0, {0, 0, 1});
     }
 }
 

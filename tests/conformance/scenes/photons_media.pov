@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Smoke that only photons light: a mirror throws a beam through it.
 #version 3.7;
-global_settings { assumed_gamma 1 photons { spacing 0.03 media 100 gather 100, 1000 radius 0, 1, 0.45 } }
+global_settings { assumed_gamma 1 photons { spacing 0.04 media 60 gather 50, 300 radius 0, 1, 0.45 } }
 camera { location <0, 6, -1> look_at <0.3, 0, 0> angle 50 }
 light_source { <-20, 0, 0> rgb 1 spotlight point_at 0 radius 2 falloff 2.2 }
 box { <-1.5, -1.2, -2.4>, <2, 1.2, 1.2> hollow pigment { rgbt 1 } interior { media { scattering { 1, rgb 0.3 extinction 0 } samples 4 } } photons { target refraction on } }
