@@ -69,9 +69,13 @@ FN real3 interior_transmittance(SCENE word interior, real distance) {
     if (!any_lane(dims)) return white;
     real depth = distance / FIELD(interiors, interior, fade_distance);
     real clear = 1.0f / (1.0f + power(depth, power_of));
-    clear = select(power_of >= real(1000.0f), exp2_clamped(depth * -1.44269504f), clear);
     real3 color = FIELD(interiors, interior, fade_color);
-    return select(dims, color + (white - color) * clear, white);
+    real3 passes = color + (white - color) * clear;
+    // From there on each colour dims by itself, as povray's pictures show it, and without an end.
+    real3 rate = (white - color) * (depth * -1.44269504f);
+    real3 beer = real3(exp2_clamped(rate.x), exp2_clamped(rate.y), exp2_clamped(rate.z));
+    passes = select(power_of >= real(1000.0f), beer, passes);
+    return select(dims, passes, white);
 }
 
 /// The interior of the object that a surface is of, in the lanes of `layered`; 0 in others.
