@@ -62,7 +62,7 @@ private:
     /// Puts together what pieces have brought.
     void take(const std::vector<Piece>& pieces, std::vector<PhotonHarvest>& harvests, StoredPhotons& out);
     void index(const StoredPhotons& photons);
-    /// The photons near a point, in a radius that grows where they are few, as povray's does. `power` of the radius is
+    /// The photons near a point, in a radius that grows where they are few. `power` of the radius is
     /// what they are spread over.
     [[nodiscard]] PhotonMap::Found gather(const PhotonMap& map, PhotonMap::Search search, int power,
                                           PhotonMap::Scratch& scratch) const;
