@@ -11,6 +11,7 @@
 #include "compile/material.h"
 #include "compile/mesh.h"
 #include "compile/pattern_compiler.h"
+#include "compile/photon_targets.h"
 #include "compile/solid.h"
 #include "solids/compiled_solid.h"
 
@@ -98,25 +99,25 @@ public:
     kernel::Geometry operator()(const Boxed<scene::Mesh>& mesh) {
         const auto first = static_cast<std::uint32_t>(out_.triangles.size());
         const std::uint32_t count = append_mesh(object_, *mesh, attributes_, out_, warn_);
-        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0};
+        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0, 0};
     }
     kernel::Geometry operator()(const scene::Sphere& sphere) {
         if (!(sphere.radius > 0)) return none("a sphere of no radius");
         out_.spheres.push_back({to_kernel(sphere.center), sphere.radius, object_.material});
-        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0};
+        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0, 0};
     }
     kernel::Geometry operator()(const scene::Box& box) {
         const Vec3 size = box.upper - box.lower;
         if (!(size.x >= 0 && size.y >= 0 && size.z >= 0)) return none("a box whose corners are the wrong way round");
         out_.boxes.push_back({to_kernel(box.lower), to_kernel(box.upper), object_.material});
-        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0};
+        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0, 0};
     }
     kernel::Geometry operator()(const scene::Plane& plane) {
         const float len = length(plane.normal);
         if (!(len > 0)) return none("a plane whose normal has no direction");
         out_.planes.push_back({to_kernel(plane.normal / len), plane.offset / len, object_.material,
                                static_cast<std::uint32_t>(out_.geometries.size())});
-        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0};
+        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0, 0};
     }
     /// Solids are append_solid's.
     kernel::Geometry operator()(const std::shared_ptr<const scene::Solid>&) { return none("a solid"); }
@@ -130,7 +131,7 @@ private:
         if (warn_)
             warn_(
                 {Severity::warning, object_.where, "object '" + object_.name + "' is " + what + "; left out", "", ""});
-        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE, 0};
+        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE, 0, 0};
     }
 
     const scene::Object& object_;
@@ -140,11 +141,11 @@ private:
 };
 
 /// Which rays don't see an object. Where `some_project`, some rays see only objects that lights are projected through.
-std::uint32_t hidden_from(const scene::Object& object, bool some_project) {
+std::uint32_t hidden_from(const scene::Object& object, bool some_project, bool photons) {
     if (object.projects > 0) return ~(kernel::RAY_PROJECTION << (object.projects - 1));
     return (some_project ? kernel::RAY_ANY_PROJECTION : 0U) | (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
-           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW) |
-           (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
+           (photons ? hidden_from_photons(object) : 0U) | (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) |
+           (object.casts_shadow ? 0U : kernel::RAY_SHADOW) | (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
 }
 
 /// Lists the geometries of the scene's objects.
@@ -152,13 +153,16 @@ class GeometryList {
 public:
     GeometryList(const scene::Scene& scene, RenderScene& out)
         : out_(out),
+          targets_(scene, out),
+          photons_(scene.photons.has_value()),
           some_project_(std::any_of(scene.objects.begin(), scene.objects.end(),
                                     [](const scene::Object& object) { return object.projects > 0; })) {}
 
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
         if (object.motion) geometry.instance = instance_count_++;
-        geometry.hidden_from = hidden_from(object, some_project_);
+        geometry.hidden_from = hidden_from(object, some_project_, photons_);
+        if (photons_) geometry.photons = targets_.photons_of(object_);
         out_.geometries.push_back(geometry);
         out_.geometry_names.push_back(object.name);
         out_.geometry_objects.push_back(object_);
@@ -169,6 +173,11 @@ public:
         if (!continues_run(part.geometry, object)) add(part.geometry, object);
         else out_.geometries.back().primitive_count += part.geometry.primitive_count;
     }
+    void add_bounds(const Bounds3& world) {
+        out_.bounds.include(world);
+        targets_.add_bounds(object_, world);
+    }
+    void finish(const WarningSink& warn) { targets_.finish(warn); }
     [[nodiscard]] bool moving() const { return instance_count_ > 0; }
 
 private:
@@ -180,10 +189,13 @@ private:
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
                last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
-               last.hidden_from == hidden_from(object, some_project_);
+               last.hidden_from == hidden_from(object, some_project_, photons_) &&
+               (!photons_ || last.photons == targets_.photons_of(object_));
     }
 
     RenderScene& out_;
+    PhotonTargets targets_;
+    bool photons_;
     bool some_project_;
     std::uint32_t object_ = 0;
     std::uint32_t instance_count_ = 0;
@@ -263,20 +275,22 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
             append_solid(scene, object, **solid, attributes, *out, warn, [&](const SolidPart& part) {
                 list.add(part, object);
-                out->bounds.include(world_bounds_of(object, part.bounds));
+                list.add_bounds(world_bounds_of(object, part.bounds));
             });
             continue;
         }
         const kernel::Geometry geometry = std::visit(PrimitiveWriter{object, attributes, *out, warn}, object.shape);
         if (geometry.primitive_count == 0) continue;
         list.add(geometry, object);
-        out->bounds.include(world_bounds_of(object, bounds_of(object)));
+        list.add_bounds(world_bounds_of(object, bounds_of(object)));
     }
+    list.finish(warn);
     out->features = features_of(*out, attributes, list.moving());
     const auto grouped = [](const scene::Light& light) { return light.group != 0; };
     if (!scene.light_sets.empty() || std::any_of(scene.lights.begin(), scene.lights.end(), grouped))
         out->features |= kernel::FEATURE_LIGHT_GROUPS;
     if (scene.radiosity) out->radiosity = scene.radiosity->where;
+    if (scene.photons) out->photons = scene.photons->where;
 
     // Arrays bound to a kernel are never empty, and positions are read four floats at a time.
     out->positions.push_back({0, 0, 0});

@@ -148,6 +148,42 @@ void set_radiosity(const scene::Radiosity& r, Frame& frame) {
     out.always_sample = r.always_sample;
 }
 
+/// Turns photons on, if any are to be had.
+void set_photons(const scene::Photons& p, const scene::Scene& scene, const RenderScene& compiled, Frame& frame) {
+    if (!p.loaded && !(p.spacing > 0) && p.count <= 0) return;
+    frame.params.features |= kernel::FEATURE_PHOTONS;
+    PhotonMapping& out = frame.photons.emplace();
+    out.spacing = p.spacing;
+    out.count = p.count;
+    out.gather_min = p.gather_min;
+    out.gather_max = p.gather_max;
+    out.media_steps = p.media_steps;
+    out.media_factor = p.media_factor;
+    out.jitter = p.jitter;
+    out.max_depth = p.max_depth ? static_cast<std::uint32_t>(*p.max_depth) : frame.params.max_depth;
+    out.min_weight = p.min_weight.value_or(frame.params.min_weight);
+    out.autostop = p.autostop;
+    out.expand_increase = p.expand_increase;
+    out.expand_min = p.expand_min;
+    out.radius = p.radius;
+    out.radius_factor = p.radius_factor;
+    out.media_radius = p.media_radius;
+    out.media_radius_factor = p.media_radius_factor;
+    out.loaded = p.loaded;
+    out.store = p.store;
+    for (const scene::Light& light : scene.lights) {
+        PhotonMapping::LightInsides& insides = out.insides.emplace_back();
+        insides.media.fill(kernel::NONE);
+        if (light.kind == scene::Light::Kind::sun) continue;
+        const Vec3d place = to_double(light.place);
+        if (frame.params.features & kernel::FEATURE_HOLLOW) set_media_insides(compiled, place, insides.media);
+        if (compiled.interiors.size() < 2) continue;
+        const auto [first, second, third, fourth] = interiors_around(compiled, place);
+        insides.interiors_inner = first | second << 16U;
+        insides.interiors_outer = third | fourth << 16U;
+    }
+}
+
 /// What lights other than plain lamps and suns need.
 bool has_shape(const kernel::Light& light) {
     return light.kind == kernel::LIGHT_SPOT || light.kind == kernel::LIGHT_CYLINDER || light.fade_power > 0 ||
@@ -206,6 +242,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
     if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
+    if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "compile/convert.h"
+#include "compile/photon_targets.h"
 
 namespace sundog {
 namespace {
@@ -52,6 +53,7 @@ kernel::Light light_at(const scene::Light& light, float time_s) {
     out.flags = (light.shadows ? kernel::LIGHT_SHADOWS : 0U) | (light.highlights ? kernel::LIGHT_HIGHLIGHTS : 0U) |
                 (light.media_attenuation && light.media_interaction ? kernel::LIGHT_ATTENUATED : 0U) |
                 (light.media_interaction && light.shadows ? 0U : kernel::LIGHT_PASSES_MEDIA);
+    out.flags |= photon_flags(light.photons);
     if (out.kind == kernel::LIGHT_SPOT || out.kind == kernel::LIGHT_CYLINDER) {
         const Vec3 axis = normalize(light.point_at - place);
         out.axis = to_kernel(axis == Vec3{} ? Vec3{0, 0, 1} : axis);

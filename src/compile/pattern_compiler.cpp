@@ -209,6 +209,7 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
         put(m.aa_threshold);
         out_.code.push_back(static_cast<std::uint32_t>(std::max(m.intervals, 1)));
         put(m.jitter), put(m.ratio);
+        out_.code.push_back(m.collects_photons ? 1 : 0);
     }
     return known->second;
 }

@@ -2,6 +2,7 @@
 // What devices are given: the compiled scene (fixed) and the frame (new for every picture).
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/photons.h"
 #include "base/vec.h"
 #include "device/camera_rays.h"
 #include "kernel/shared.h"
@@ -48,6 +50,13 @@ struct CpuFeature {
     std::string sentence;
 };
 
+/// What photons are shot at: an object, or several as one.
+struct PhotonTarget {
+    Bounds3 bounds;           ///< World space, at rest.
+    float spacing = 1;        ///< Times that of the frame.
+    std::uint32_t flags = 0;  ///< PHOTONS_*, without a number.
+};
+
 /// A compiled scene: the kernel's arrays (see kernel/arrays.h), immutable once made by compile(), shared by devices.
 /// `materials` are those of the Scene, in its order.
 struct RenderScene : render_scene_detail::Arrays {
@@ -60,6 +69,8 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
     std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.
+    std::optional<SourceLocation> photons;        ///< Where the scene asks for them, if it does.
+    std::vector<PhotonTarget> photon_targets;     ///< By their numbers less one.
     /// Instead of the kernel's camera; null: the kernel's. Devices that can't ask it say so.
     std::shared_ptr<const CameraRays> camera_rays;
     std::uint32_t camera_normal = kernel::NONE;  ///< A list of normals, into `code`, that bends the camera's rays.
@@ -94,6 +105,32 @@ struct IrradianceCaching {
     friend bool operator==(const IrradianceCaching&, const IrradianceCaching&) = default;
 };
 
+/// How caustics are found by photons; names and meanings are those of POV-Ray's reference, section 3.4.4.4 "Photons".
+struct PhotonMapping {
+    /// What a light's place is inside of, in the forms of FrameParams::eye_insides and eye_interiors_*.
+    struct LightInsides {
+        std::array<std::uint32_t, kernel::MAX_MEDIA_INSIDES> media{};
+        std::uint32_t interiors_inner = 0, interiors_outer = 0;
+        friend bool operator==(const LightInsides&, const LightInsides&) = default;
+    };
+    float spacing = 0;  ///< Between photons where they are shot at something; 0: as `count` says.
+    int count = 0;      ///< How many are shot.
+    int gather_min = 20, gather_max = 100;
+    int media_steps = 0;     ///< Most photons along a stretch of a medium; 0: none are stored there.
+    float media_factor = 1;  ///< How much wider they stand there.
+    float jitter = 0.4F;     ///< Share of the way to the next one by which they are moved.
+    std::uint32_t max_depth = 0;
+    float min_weight = 0;
+    float autostop = 1;
+    float expand_increase = 0.2F;  ///< A wider search doesn't count if it finds light denser by more than this …
+    int expand_min = 40;           ///< … and at least so many photons.
+    float radius = 0, radius_factor = 1, media_radius = 0, media_radius_factor = 1;  ///< Radius 0: guessed.
+    std::vector<LightInsides> insides;                                               ///< For each light.
+    std::shared_ptr<const StoredPhotons> loaded;                                     ///< Instead of shooting.
+    std::shared_ptr<const PhotonStore> store;  ///< Where they are kept once shot; null: nowhere.
+    friend bool operator==(const PhotonMapping&, const PhotonMapping&) = default;
+};
+
 /// Everything about a picture that is not the RenderScene. `lights` and `instances` are never empty (one zeroed
 /// element stands in; params.light_count says how many lights count).
 struct Frame {
@@ -101,6 +138,7 @@ struct Frame {
     std::vector<kernel::Light> lights;
     std::vector<kernel::Instance> instances;        ///< As many as the scene's geometries refer to.
     std::optional<IrradianceCaching> radiosity;     ///< Set where params.features has FEATURE_RADIOSITY.
+    std::optional<PhotonMapping> photons;           ///< Set where params.features has FEATURE_PHOTONS.
     std::shared_ptr<const CameraRays> camera_rays;  ///< As in RenderScene, unless the caller has a camera of its own.
     std::uint32_t camera_normal = kernel::NONE;
 };

@@ -24,10 +24,12 @@ KERNEL_CONST uint GEOMETRY_PLANE = 3u;
 KERNEL_CONST uint GEOMETRY_SOLID = 4u;
 
 /// What a ray is for, as bits: a geometry may be hidden from some of them.
-KERNEL_CONST uint RAY_CAMERA = 1u;     ///< From the eye, and on through what is transparent.
-KERNEL_CONST uint RAY_REFLECTED = 2u;  ///< From a mirror, and all that comes after it.
-KERNEL_CONST uint RAY_SHADOW = 4u;     ///< Towards a light.
-KERNEL_CONST uint RAY_RADIOSITY = 8u;  ///< From a point whose irradiance is gathered.
+KERNEL_CONST uint RAY_CAMERA = 1u;         ///< From the eye, and on through what is transparent.
+KERNEL_CONST uint RAY_REFLECTED = 2u;      ///< From a mirror, and all that comes after it.
+KERNEL_CONST uint RAY_SHADOW = 4u;         ///< Towards a light.
+KERNEL_CONST uint RAY_RADIOSITY = 8u;      ///< From a point whose irradiance is gathered.
+KERNEL_CONST uint RAY_PHOTON = 16u;        ///< A photon's from its light, to what it was shot at.
+KERNEL_CONST uint RAY_LATER_PHOTON = 32u;  ///< And from there on.
 /// Through what lights are projected: the first of 24 such bits, of which each object that lights shine through has
 /// one.
 KERNEL_CONST uint RAY_PROJECTION = 256u;
@@ -48,6 +50,22 @@ KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved ab
 KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
 KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
+
+/// What a light does with photons; see Geometry::photons.
+KERNEL_CONST uint LIGHT_PHOTONS_REFRACT = 1024u;
+KERNEL_CONST uint LIGHT_PHOTONS_NEVER_REFRACT = 2048u;
+KERNEL_CONST uint LIGHT_PHOTONS_REFLECT = 4096u;
+KERNEL_CONST uint LIGHT_PHOTONS_NEVER_REFLECT = 8192u;
+KERNEL_CONST uint LIGHT_PHOTONS_AREA = 16384u;  ///< An area shoots them from all of its lights.
+
+/// Geometry::photons: what an object does with photons, and which target of theirs it is (or a part of), from 1; 0:
+/// none. Photons are refracted where neither object nor light says "never" and one of them says so; so for reflection.
+KERNEL_CONST uint PHOTONS_REFRACT = 1u;
+KERNEL_CONST uint PHOTONS_NEVER_REFRACT = 2u;
+KERNEL_CONST uint PHOTONS_REFLECT = 4u;
+KERNEL_CONST uint PHOTONS_NEVER_REFLECT = 8u;
+KERNEL_CONST uint PHOTONS_COLLECT = 16u;
+KERNEL_CONST uint PHOTONS_TARGET_SHIFT = 8u;
 
 /// FrameParams::camera_kind. See kernel/cameras/projections.h.
 KERNEL_CONST uint CAMERA_PERSPECTIVE = 0u;
@@ -222,6 +240,7 @@ KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send e
 KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
 KERNEL_CONST uint FEATURE_HOLLOW =
     4194304u;  ///< Media; or fog, and something that isn't hollow: rays keep MediaInsides.
+KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;  ///< Caustics by photons (the CPU device's alone).
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
@@ -240,9 +259,9 @@ KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
 /// emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of densities, where their
-/// programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals, jitter, ratio. See
-/// kernel/atmosphere/media.h.
-KERNEL_CONST uint MEDIUM_WORDS = 21u;
+/// programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals, jitter, ratio, 1 if photons
+/// are stored there. See kernel/atmosphere/media.h.
+KERNEL_CONST uint MEDIUM_WORDS = 22u;
 /// Rainbows in `code`: their count, then RAINBOW_WORDS each: direction (unit), up (unit, across it), angle, one over
 /// the width, distance, jitter, half the arc and half of what of it is there in full (radians), the program of its
 /// colours along x. See kernel/atmosphere/rainbow.h.
@@ -286,6 +305,7 @@ struct Geometry {
     uint primitive_count;
     uint instance;     ///< Into instances; NONE where primitives are in world space.
     uint hidden_from;  ///< RAY_* bits of rays that don't see it.
+    uint photons;      ///< PHOTONS_* bits and the number of a target.
 };
 
 /// World placement of a moving geometry in this frame. Columns and translation of affine maps.

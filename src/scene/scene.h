@@ -11,6 +11,7 @@
 #include "base/boxed.h"
 #include "base/diagnostics.h"
 #include "base/vec.h"
+#include "scene/photons.h"
 #include "scene/pigment.h"
 #include "scene/solid.h"
 
@@ -119,6 +120,7 @@ struct Light {
     float fade_distance = 0, fade_power = 0;
     std::optional<LightArea> area;
     std::uint32_t group = 0;  ///< Of lights that reach only what some LightSet names them for; 0: of the whole scene.
+    LightPhotons photons;
     std::uint32_t projection =
         0;  ///< It shines only through objects with this number of Object::projects; 0: everywhere.
 };
@@ -227,6 +229,7 @@ struct Object {
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
     bool seen_by_radiosity = true;    ///< no_radiosity
+    Boxed<ObjectPhotons> photons{};   ///< Few objects have any to do with them.
     std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
 };
 
@@ -313,6 +316,7 @@ struct Scene {
     std::vector<Medium> atmosphere;  ///< Media that are everywhere.
     std::vector<SkySphere> sky_spheres;
     std::optional<Radiosity> radiosity;
+    std::optional<Photons> photons;
     Settings settings;
 };
 

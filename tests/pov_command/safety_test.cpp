@@ -71,6 +71,31 @@ TEST_F(Safety, ScenesCannotWriteElsewhere) {
     EXPECT_EQ(read_bytes(folder_ / "allowed.txt"), "gotcha\n");
 }
 
+// Catches photons that are saved elsewhere, not saved, or not what a picture is made of when they are loaded.
+TEST_F(Safety, PhotonsAreSavedBelowTheOutput) {
+    const auto photons = [](const std::string& items) {
+        return "global_settings { photons { " + items +
+               " } }\nplane { y, -2 pigment { rgb 1 } }\n"
+               "sphere { 2*x, 0.5 pigment { rgb 1 } finish { reflection 1 } photons { target reflection on } }\n";
+    };
+    fs::create_symlink(secret(), work() / "link.ph");
+    for (const fs::path& file :
+         {secret(), fs::path("../secret.txt"), fs::path("link.ph"), fs::path(".photons"), fs::path("/dev/null")}) {
+        SCOPED_TRACE(file.string());
+        expect_refused(render(photons("count 2000 save_file \"" + file.string() + "\"")), "can't write to");
+    }
+    EXPECT_FALSE(fs::exists(work() / "a.png"));
+    ASSERT_EQ(render(photons("count 2000 save_file \"sub/map.ph\"")).status, 0);
+    const std::string shot = read_bytes(work() / "a.png");
+    EXPECT_EQ(read_bytes(work() / "sub/map.ph").substr(0, 17), "sundog photons 1\n");
+    ASSERT_EQ(render(photons("load_file \"sub/map.ph\"")).status, 0);
+    EXPECT_EQ(read_bytes(work() / "a.png"), shot);
+    ASSERT_EQ(render(photons("autostop 0")).status, 0);
+    EXPECT_NE(read_bytes(work() / "a.png"), shot) << "photons light something here";
+    EXPECT_NE(render(photons("load_file \"/dev/zero\"")).status, 0);
+    EXPECT_EQ(render(photons("load_file \"../secret.txt\""), {"--sandbox"}).status, 1);
+}
+
 // Catches INI files whose picture, texts or INI file go where the command line didn't send them.
 TEST_F(Safety, IniFilesCannotWriteElsewhere) {
     for (const std::string& line : std::vector<std::string>{

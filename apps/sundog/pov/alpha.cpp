@@ -36,6 +36,7 @@ void leave_only_the_sky(scene::Scene& scene) {
     }
     scene.lights.clear();
     scene.radiosity.reset();
+    scene.photons.reset();
     scene.ambient = {0, 0, 0};
     scene.sky = {1, 1, 1};
 }

@@ -13,6 +13,7 @@
 
 #include "base/diagnostics.h"
 #include "device/cpu/embree_scene.h"
+#include "device/cpu/photons.h"
 #include "device/cpu/radiosity.h"
 #include "device/cpu/tile_kernel.h"
 
@@ -54,6 +55,9 @@ public:
         plain_kernel_ = lanes_ == 16  ? cpu::render_plain_tile_16
                         : lanes_ == 8 ? cpu::render_plain_tile_8
                                       : cpu::render_plain_tile_4;
+        photon_kernel_ = lanes_ == 16  ? cpu::trace_photons_16
+                         : lanes_ == 8 ? cpu::trace_photons_8
+                                       : cpu::trace_photons_4;
         rays_ = lanes_ == 16 ? cpu::trace_rays_16 : lanes_ == 8 ? cpu::trace_rays_8 : cpu::trace_rays_4;
         const int threads = arena_.max_concurrency();
         device_.reset(rtcNewDevice(("threads=" + std::to_string(threads) + ",frequency_level=simd512").c_str()));
@@ -72,6 +76,7 @@ public:
     void load(std::shared_ptr<const RenderScene> scene) override {
         arena_.execute([&] {
             radiosity_.reset();
+            photons_.reset();
             embree_.reset();
             scene_ = std::move(scene);
             embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
@@ -85,7 +90,7 @@ public:
         const auto tiles_to = [](int pixel) { return (pixel + kTileSide - 1) / kTileSide; };
         arena_.execute([&] {
             embree_->update(frame);
-            if (!prepare_radiosity(frame, stop, totals)) return;
+            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             const tbb::blocked_range2d<int> tiles(tiles_before(r.y0), tiles_to(r.y1), 1, tiles_before(r.x0),
                                                   tiles_to(r.x1), 1);
             tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& range) {
@@ -107,7 +112,7 @@ public:
         Totals totals;
         arena_.execute([&] {
             embree_->update(frame);
-            if (!prepare_radiosity(frame, stop, totals)) return;
+            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             tbb::parallel_for(std::size_t{0}, regions.size(),
                               [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
         });
@@ -127,16 +132,60 @@ private:
         std::unique_ptr<cpu::Radiosity> radiosity;
     };
 
+    /// The photons of one frame, kept for as long as they fly the same ways.
+    struct PreparedPhotons {
+        Frame frame;
+        std::unique_ptr<cpu::Photons> photons;
+    };
+
+    template <class T>
+    static bool same_bytes(const std::vector<T>& x, const std::vector<T>& y) {
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other bits of the same number ask for another round
+        return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
+    }
+
+    /// True if two frames' photons are the same: wherever their cameras are.
+    static bool same_photons(const Frame& a, const Frame& b) {
+        return a.params.features == b.params.features && same_bytes(a.lights, b.lights) &&
+               same_bytes(a.instances, b.instances) && a.photons == b.photons;
+    }
+
     /// True if two frames' surfaces get the same light from each other and their pictures see the same of them.
     static bool same_light(const Frame& a, const Frame& b) {
         kernel::FrameParams p = a.params;
         p.aovs = b.params.aovs;
-        const auto same_bytes = [](const auto& x, const auto& y) {
-            return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])) == 0;
-        };
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other bits of the same number ask for another round
         return std::memcmp(&p, &b.params, sizeof p) == 0 && same_bytes(a.lights, b.lights) &&
-               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.camera_rays == b.camera_rays;
+               same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.photons == b.photons &&
+               a.camera_rays == b.camera_rays;
+    }
+
+    /// Shoots what the frame needs, if it hasn't been; false if it was stopped.
+    bool prepare_photons(const Frame& frame, const StopFlag& stop, Totals& totals) {
+        if ((frame.params.features & kernel::FEATURE_PHOTONS) == 0) {
+            photons_.reset();
+            return true;
+        }
+        if (photons_ && same_photons(photons_->frame, frame)) return true;
+        radiosity_.reset();
+        photons_ = std::make_unique<PreparedPhotons>(PreparedPhotons{frame, nullptr});
+        const Frame& kept = photons_->frame;
+        photons_->photons = std::make_unique<cpu::Photons>(
+            *scene_, kept, cpu::view_of(*scene_, kept, embree_->handle()), photon_kernel_);
+        bool done = false;
+        try {
+            done = photons_->photons->prepare(stop);
+        } catch (...) {
+            photons_.reset();
+            throw;
+        }
+        if (!done) {
+            photons_.reset();
+            totals.complete = false;
+            return false;
+        }
+        totals.rays += photons_->photons->rays().rays;
+        return true;
     }
 
     /// Gathers what the frame needs, if it hasn't been; false if it was stopped.
@@ -145,8 +194,9 @@ private:
         if (radiosity_ && same_light(radiosity_->frame, frame)) return true;
         radiosity_ = std::make_unique<PreparedRadiosity>(PreparedRadiosity{frame, nullptr});
         const Frame& kept = radiosity_->frame;
-        radiosity_->radiosity =
-            std::make_unique<cpu::Radiosity>(kept, cpu::view_of(*scene_, kept, embree_->handle()), rays_);
+        kernel::SceneView view = cpu::view_of(*scene_, kept, embree_->handle());
+        if (photons_) view.photons = photons_->photons.get();
+        radiosity_->radiosity = std::make_unique<cpu::Radiosity>(kept, view, rays_);
         if (!radiosity_->radiosity->prepare(stop)) {
             radiosity_.reset();
             totals.complete = false;
@@ -166,7 +216,7 @@ private:
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
             {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
-             radiosity_ ? &radiosity_->radiosity->light() : nullptr});
+             radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -181,11 +231,13 @@ private:
     cpu::TileKernel kernel_ = nullptr;
     cpu::TileKernel plain_kernel_ = nullptr;
     cpu::RayKernel rays_ = nullptr;
+    cpu::PhotonKernel photon_kernel_ = nullptr;
     tbb::task_arena arena_;
     std::atomic<std::int64_t> bytes_{0};  // outlives the Embree objects that count themselves off
     embree::Device device_;
     std::shared_ptr<const RenderScene> scene_;
     std::unique_ptr<cpu::EmbreeScene> embree_;
+    std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "device/cpu/embree.h"
+#include "device/cpu/photon_batch.h"
 #include "device/cpu/ray_batch.h"
 #include "kernel/rays.h"
 #include "kernel/shapes/all_planes.h"
@@ -90,6 +91,9 @@ KERNEL_END
 
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
+#ifdef SUNDOG_PHOTON_KERNEL
+#include "kernel/integrators/photons.h"
+#endif
 
 namespace sundog::cpu {
 namespace {
@@ -298,6 +302,7 @@ void store_block(int x0, int y0, const BlockResult& block, const TileWork& work)
 TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     SceneView view = view_of(work.scene, work.frame, work.traversal);
     view.indirect = work.indirect;
+    view.photons = work.photons;
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);
     RayCounts counts{word(0U), word(0U)};
@@ -352,6 +357,74 @@ BatchRays SUNDOG_RAY_KERNEL(const SceneView& scene, std::span<const BatchRay> ra
             answers[begin + lane] = {{out.r[lane], out.g[lane], out.b[lane]}, distance[lane]};
     }
     return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+}
+#endif
+
+#ifdef SUNDOG_PHOTON_KERNEL
+namespace {
+
+/// Appends what arrives to a harvest.
+class HarvestSink final : public kernel::PhotonSink {
+public:
+    explicit HarvestSink(StoredPhotons& stored) : stored_(stored) {}
+    void on_surface(const kernel::PhotonArrivals& arrivals) override { append(arrivals, stored_.surface); }
+    void in_medium(const kernel::PhotonArrivals& arrivals) override { append(arrivals, stored_.media); }
+
+private:
+    static void append(const kernel::PhotonArrivals& a, std::vector<StoredPhoton>& out) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+            if (a.stored[lane] != 0)
+                out.push_back({{a.x[lane], a.y[lane], a.z[lane]},
+                               {a.direction_x[lane], a.direction_y[lane], a.direction_z[lane]},
+                               {a.normal_x[lane], a.normal_y[lane], a.normal_z[lane]},
+                               {a.red[lane], a.green[lane], a.blue[lane]}});
+    }
+    StoredPhotons& stored_;
+};
+
+}  // namespace
+
+void SUNDOG_PHOTON_KERNEL(const SceneView& scene, const PhotonShot& shot, std::span<const BatchPhoton> photons,
+                          PhotonHarvest& harvest) {
+    HarvestSink sink(harvest.stored);
+    RayCounts counts{word(0U), word(0U)};
+    constexpr auto kPacket = static_cast<std::size_t>(kLanes);
+    for (std::size_t begin = 0; begin < photons.size(); begin += kPacket) {
+        const std::size_t size = std::min(kPacket, photons.size() - begin);
+        StoredRays in;
+        StoredLanes power;
+        for (std::size_t lane = 0; lane < kPacket; ++lane) {
+            const BatchPhoton& p = photons[begin + std::min(lane, size - 1)];
+            in.origin_x[lane] = p.origin.x, in.origin_y[lane] = p.origin.y, in.origin_z[lane] = p.origin.z;
+            in.x[lane] = p.direction.x, in.y[lane] = p.direction.y, in.z[lane] = p.direction.z;
+            in.t_max[lane] = lane < size ? 3.0e38F : -1.0F;
+            power.r[lane] = p.power.x, power.g[lane] = p.power.y, power.b[lane] = p.power.z;
+        }
+        PhotonPaths paths;
+        Ray& ray = paths.path.ray;
+        ray.origin = real3(real(lanes_of(in.origin_x.data())), real(lanes_of(in.origin_y.data())),
+                           real(lanes_of(in.origin_z.data())));
+        ray.direction = real3(real(lanes_of(in.x.data())), real(lanes_of(in.y.data())), real(lanes_of(in.z.data())));
+        ray.t_min = real(0.0F);
+        ray.t_max = real(lanes_of(in.t_max.data()));
+        paths.path.weight = real3(real(1.0F));
+        paths.path.depth = word(0U);
+        paths.path.kind = word(RAY_PHOTON);
+        paths.path.alive = ray.t_max > ray.t_min;
+        paths.path.insides = insides_of_eye(scene, paths.path.alive);
+        paths.path.media = eye_insides(scene, paths.path.alive);
+        paths.path.spectrum = real(-1.0F);
+        paths.path.nesting = 0;
+        paths.travelled = real(0.0F);
+        const real3 start(real(lanes_of(power.r.data())), real(lanes_of(power.g.data())),
+                          real(lanes_of(power.b.data())));
+        mask met;
+        follow_photons(scene, scene.lights[shot.light], shot, start, paths, true, sink, counts, met);
+        const vint met_lanes = lane_ints(met);
+        for (std::size_t lane = 0; lane < size; ++lane) harvest.met.push_back(met_lanes[lane] != 0 ? 1 : 0);
+    }
+    harvest.rays.rays += sum_lanes(counts.rays);
+    harvest.rays.shadow_rays += sum_lanes(counts.shadow_rays);
 }
 #endif
 

@@ -21,6 +21,7 @@ struct TileWork {
     Film& film;
     std::span<const std::uint8_t> wanted{};           ///< As in RenderWork.
     const kernel::IndirectLight* indirect = nullptr;  ///< Where the frame has FEATURE_RADIOSITY.
+    const kernel::PhotonLight* photons = nullptr;     ///< Where the frame has FEATURE_PHOTONS.
 };
 
 /// Rays that a tile took.

@@ -69,6 +69,7 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
         sentences.push_back(place + what + "; use --device cpu");
     };
     if (scene.radiosity) add_feature(*scene.radiosity, "radiosity is what only the CPU computes");
+    if (scene.photons) add_feature(*scene.photons, "photons are what only the CPU computes");
     if (!scene.camera_feature.empty())
         add_feature(scene.camera_where, "the camera has " + scene.camera_feature + ", which only the CPU draws");
     if (scene.host_fields) add_feature(scene.first_host_field, "a pattern or a warp that only the CPU draws");

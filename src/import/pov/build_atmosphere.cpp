@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/build_photons.h"
 #include "import/pov/build_pigment.h"
 #include "import/pov/build_radiosity.h"
 #include "import/pov/build_transform.h"
@@ -172,8 +173,8 @@ void read_global_settings(BuildContext& context, const Block& block) {
     while (!items.at_end()) {
         if (const auto radiosity = items.take_block(Keyword::radiosity)) {
             scene.radiosity = read_radiosity(context, *radiosity, scene.radiosity.value_or(scene::Radiosity{}));
-        } else if (items.take_block(Keyword::photons)) {
-            context.warn_once("photons", items.taken_where(), "photons aren't drawn yet");
+        } else if (const auto photons = items.take_block(Keyword::photons)) {
+            scene.photons = read_photons(context, *photons, scene.photons.value_or(scene::Photons{}));
         } else if (items.take_block(Keyword::subsurface)) {
             context.warn_once("subsurface", items.taken_where(), "light below surfaces isn't drawn yet");
         } else if (items.take(Keyword::assumed_gamma)) {

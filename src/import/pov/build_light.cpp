@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/build_photons.h"
 #include "import/pov/build_shape.h"
 #include "import/pov/build_transform.h"
 
@@ -99,8 +100,8 @@ private:
                 if (!read_transform(inside, result_.parent_from_projector)) inside.skip();
             return true;
         }
-        if (items_.take_block(Keyword::photons)) {
-            context_.warn_once("photons", items_.taken_where(), "photons aren't drawn yet");
+        if (const auto photons = items_.take_block(Keyword::photons)) {
+            light.photons = read_light_photons(context_, *photons, light.photons);
             return true;
         }
         const std::optional<Keyword> keyword = items_.peek_keyword();

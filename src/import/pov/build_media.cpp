@@ -67,9 +67,9 @@ public:
                 move_densities(medium_, inverse(moved));
             } else if (!read_color() && !read_sampling()) {
                 static constexpr std::array kValid{
-                    Keyword::absorption, Keyword::emission, Keyword::scattering,  Keyword::density,  Keyword::method,
-                    Keyword::intervals,  Keyword::samples,  Keyword::confidence,  Keyword::variance, Keyword::ratio,
-                    Keyword::jitter,     Keyword::aa_level, Keyword::aa_threshold};
+                    Keyword::absorption, Keyword::emission, Keyword::scattering,   Keyword::density,  Keyword::method,
+                    Keyword::intervals,  Keyword::samples,  Keyword::confidence,   Keyword::variance, Keyword::ratio,
+                    Keyword::jitter,     Keyword::aa_level, Keyword::aa_threshold, Keyword::collect};
                 items_.unexpected(kValid);
             }
         }
@@ -134,6 +134,8 @@ private:
             medium_.jitter = static_cast<float>(items_.maybe_number().value_or(1));
         } else if (items_.take(Keyword::ratio)) {
             medium_.ratio = static_cast<float>(items_.number("a ratio"));
+        } else if (items_.take(Keyword::collect)) {
+            medium_.collects_photons = items_.flag();
         } else if (items_.take(Keyword::confidence) || items_.take(Keyword::variance)) {
             items_.maybe_number();  // When there are enough random samples: the number here is fixed.
         } else {

@@ -70,6 +70,8 @@ struct Node {
     bool inverted = false;
     bool hollow = false;
     bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
+    Boxed<scene::ObjectPhotons> photons;  ///< None: as what it is a part of.
+    bool split_union = true;              ///< Photons are shot at a union's parts, not at all of it.
     bool double_illuminate = false;
     bool cutaway_textures = false;
     bool declared = false;              ///< A declared object, used by name.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "import/pov/build_photons.h"
 #include "import/pov/build_radiosity.h"
 #include "import/pov/build_shape.h"
 #include "import/pov/build_transform.h"
@@ -195,8 +197,8 @@ private:
     }
 
     bool read_flag() {
-        if (items_.take_block(Keyword::photons)) {
-            context_.warn_once("photons", items_.taken_where(), "photons aren't drawn yet");
+        if (const auto photons = items_.take_block(Keyword::photons)) {
+            node_.photons = read_object_photons(context_, *photons, *std::as_const(node_.photons));
             return true;
         }
         if (const auto radiosity = items_.take_block(Keyword::radiosity)) {
@@ -242,6 +244,8 @@ private:
                 node_.no_radiosity = take_flag();
                 return true;
             case Keyword::split_union:
+                node_.split_union = take_flag();
+                return true;
             case Keyword::sturm:
             case Keyword::hierarchy:
                 take_flag();

@@ -88,6 +88,11 @@ SceneWriter::Surroundings SceneWriter::within(const Surroundings& around, const 
     inside.no_image |= node.no_image;
     inside.no_reflection |= node.no_reflection;
     inside.no_radiosity |= node.no_radiosity;
+    if (node.photons) {
+        inside.photons = *node.photons;
+        inside.photons.whole = around.photons.whole;
+    }
+    if (!node.split_union && inside.photons.whole == 0) inside.photons.whole = ++whole_targets_;
     inside.interior.double_illuminate |= node.double_illuminate;
     inside.world_from_parent = around.world_from_parent * node.parent_from_shape;
     if (const auto* group = std::get_if<NodeGroup>(&node.shape)) {
@@ -153,6 +158,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     object.seen_by_camera = !inside.no_image;
     object.seen_in_reflections = !inside.no_reflection;
     object.seen_by_radiosity = !inside.no_radiosity;
+    if (!(inside.photons == scene::ObjectPhotons{})) object.photons = inside.photons;
     object.projects = inside.projects;
     const auto* mesh = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape);
     if (mesh && plain && !inside.interior_texture) {

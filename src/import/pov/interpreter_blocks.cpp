@@ -28,6 +28,16 @@ bool expects_coefficients(Keyword keyword, const std::vector<Item>& items) {
     return keyword == Keyword::poly && items.size() == 1 && std::holds_alternative<Value>(items.front().content);
 }
 
+/// Of the numbers behind a photons block's `radius` each may be left out: where its comma number `commas` comes before
+/// as many numbers, a 0 that stands for the missing one is appended.
+void append_left_out(std::vector<Item>& items, std::size_t commas, Place comma) {
+    std::size_t values = 0;
+    while (values < items.size() && std::holds_alternative<Value>(items[items.size() - 1 - values].content)) ++values;
+    if (values == items.size() || values >= commas) return;
+    const auto* word = std::get_if<Keyword>(&items[items.size() - 1 - values].content);
+    if (word != nullptr && *word == Keyword::radius) items.push_back({comma, number_value(0)});
+}
+
 void deepen(std::uint32_t& depth, std::uint32_t inner) { depth = std::max(depth, inner); }
 
 }  // namespace
@@ -54,14 +64,19 @@ void Interpreter::parse_block_into(Block& block) {
 }
 
 void Interpreter::parse_items(std::vector<Item>& items, TokenKind closing, Keyword context, std::uint32_t& depth) {
+    std::size_t commas = 0;  // Since the last keyword.
     for (;;) {
         const Lookahead& ahead = peek();
         switch (ahead.kind) {
             case TokenKind::comma:
+                if (context == Keyword::photons) append_left_out(items, ++commas, here());
+                take();
+                break;
             case TokenKind::semicolon:
                 take();
                 break;
             case TokenKind::keyword:
+                commas = 0;
                 parse_keyword_item(items, context, depth);
                 break;
             case TokenKind::name:

@@ -23,6 +23,7 @@ struct MediaGroup {
     bool absorbs;                ///< Some light is lost.
     bool emits;
     bool scatters;
+    bool collects;  ///< Photons are stored there.
 };
 
 /// What media do to light at a point, per unit of length.
@@ -50,6 +51,7 @@ FN void add_list(SCENE uint list, INOUT(MediaGroup) group) {
         uint at = list + 13u + i * MEDIUM_WORDS;
         bool scatters = not_black(code_vec3(SCENE_ at + 6u));
         group.scatters = group.scatters || scatters;
+        group.collects = group.collects || AT(code, at + 21u) != 0u;
         group.emits = group.emits || not_black(code_vec3(SCENE_ at + 3u));
         group.absorbs =
             group.absorbs || not_black(code_vec3(SCENE_ at)) || (scatters && code_float(SCENE_ at + 9u) != 0.0f);
@@ -68,6 +70,7 @@ FN mask take_alike(SCENE MediaInsides insides, bool atmosphere, INOUT(mask) todo
     group.absorbs = false;
     group.emits = false;
     group.scatters = false;
+    group.collects = false;
     for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u) {
         uint list = first_lane(todo, insides.entry[i]);
         alike = mask_and(alike, insides.entry[i] == word(list));

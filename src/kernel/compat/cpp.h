@@ -51,6 +51,7 @@ namespace sundog::kernel {
 
 class HostFields;
 class IndirectLight;
+class PhotonLight;
 
 /// What the kernel sees of a RenderScene and a Frame: plain pointers to every array (kernel/arrays.h).
 struct SceneView {
@@ -61,6 +62,7 @@ struct SceneView {
     const void* traversal;                    ///< The device's own; the kernel never looks inside.
     const HostFields* host_fields = nullptr;  ///< Set where some program asks (kernel/patterns/host_fields.h).
     const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
+    const PhotonLight* photons = nullptr;     ///< Set where FEATURE_PHOTONS is (kernel/lights/photon_light.h).
     uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 

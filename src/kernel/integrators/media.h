@@ -7,6 +7,7 @@
 
 #include "kernel/atmosphere/media.h"
 #include "kernel/atmosphere/scattering.h"
+#include "kernel/lights/photon_light.h"
 #include "kernel/lights/shadow.h"
 #include "kernel/patterns/noise.h"
 
@@ -155,6 +156,8 @@ FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(Ra
     for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
         Light light = AT(lights, i);
         if ((light.flags & LIGHT_PASSES_MEDIA) != 0u) continue;
+        // What is blind to photons gets the light that they stand for along shadow rays.
+        if (!r.group.collects) light.flags = light.flags | LIGHT_PHOTONS_NEVER_REFRACT;
         real distance;
         real3 to_light = direction_to_light(light, p, distance);
         real3 color = real3(light.color);
@@ -170,6 +173,17 @@ FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(Ra
         for (uint k = 0u; k < scatterers.count; k = k + 1u) {
             real phase = phase_function(scatterers.type[k], cosine, scatterers.eccentricity[k]);
             point.glow = point.glow + scatterers.color[k] * color * phase;
+        }
+    }
+    if (FEATURE(FEATURE_PHOTONS) && r.group.collects && scene.photons->has_media()) {
+        PhotonQuery query;
+        set_photon_query(p, scatters, query);
+        scene.photons->in_medium(query);
+        real3 color = select(scatters, photon_answer(query), black);
+        real cosine = dot(r.ray.direction, photon_source(query));
+        for (uint k = 0u; k < scatterers.count; k = k + 1u) {
+            real phase = phase_function(scatterers.type[k], cosine, scatterers.eccentricity[k]);
+            point.glow = point.glow + select(scatters, scatterers.color[k] * color * phase, black);
         }
     }
     return point;

@@ -24,6 +24,7 @@
 #include "kernel/integrators/media.h"
 #include "kernel/integrators/nested.h"
 #include "kernel/lights/indirect.h"
+#include "kernel/lights/photon_light.h"
 #endif
 
 KERNEL_BEGIN
@@ -110,6 +111,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
             real3 highlight;
             direct_light(SCENE_ s, lobes, layered, -path.ray.direction, path.media, found, counts, base, highlight);
 #ifdef __cplusplus
+            if (FEATURE(FEATURE_PHOTONS))
+                photon_light(SCENE_ s, lobes, layered, -path.ray.direction, found, base, highlight);
             if (FEATURE(FEATURE_RADIOSITY))
                 base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
 #endif

@@ -7,6 +7,7 @@
 #include "kernel/atmosphere/fog.h"
 #include "kernel/atmosphere/media_insides.h"
 #include "kernel/lights/light.h"
+#include "kernel/lights/photon_flags.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
 #include "kernel/patterns/noise.h"
@@ -57,6 +58,10 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         // Most of what stands in the way is opaque: that is told from the material alone.
         word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
         mask opaque = mask_and(alive, (flags & word(MATERIAL_TRANSPARENT)) == word(0u));
+        if (FEATURE(FEATURE_PHOTONS)) {
+            word photons = FIELD(geometries, valid_index(alive, hit.geometry), photons);
+            opaque = mask_or(opaque, mask_and(alive, photons_replace_shadow(photons, light_flags)));
+        }
         transmittance = select(opaque, real3(real(0.0f)), transmittance);
         alive = mask_and(alive, mask_not(opaque));
         if (!any_lane(alive)) return transmittance;

@@ -70,14 +70,12 @@ FN real3 interior_transmittance(SCENE word interior, real distance) {
     real depth = distance / FIELD(interiors, interior, fade_distance);
     real clear = 1.0f / (1.0f + power(depth, power_of));
     real3 color = FIELD(interiors, interior, fade_color);
-    real3 share = color + (white - color) * clear;
-    // Beer's law, with an absorption of what the colour lacks of white; povray's pictures show that it's not the mix of
-    // the colour and white that the reference has for lower powers.
-    real per_unit = depth * -1.44269504f;
-    real3 beer = real3(exp2_clamped((1.0f - color.x) * per_unit), exp2_clamped((1.0f - color.y) * per_unit),
-                       exp2_clamped((1.0f - color.z) * per_unit));
-    share = select(power_of >= real(1000.0f), beer, share);
-    return select(dims, share, white);
+    real3 passes = color + (white - color) * clear;
+    // From there on each colour dims by itself, as povray's pictures show it, and without an end.
+    real3 rate = (white - color) * (depth * -1.44269504f);
+    real3 beer = real3(exp2_clamped(rate.x), exp2_clamped(rate.y), exp2_clamped(rate.z));
+    passes = select(power_of >= real(1000.0f), beer, passes);
+    return select(dims, passes, white);
 }
 
 /// The interior of the object that a surface is of, in the lanes of `layered`; 0 in others.

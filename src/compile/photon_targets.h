@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What objects have to do with photons: which are shot at, which see them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "device/render_scene.h"
+#include "scene/scene.h"
+
+namespace sundog {
+
+/// Geometry::hidden_from's bits of photons that don't see an object.
+std::uint32_t hidden_from_photons(const scene::Object& object);
+
+/// Light::flags' bits of what a light does with photons.
+std::uint32_t photon_flags(const scene::LightPhotons& photons);
+
+/// Numbers what photons are shot at.
+class PhotonTargets {
+public:
+    /// Both outlive this.
+    PhotonTargets(const scene::Scene& scene, RenderScene& out);
+
+    /// Geometry::photons of a scene's object.
+    [[nodiscard]] std::uint32_t photons_of(std::uint32_t object) const;
+    /// Takes note of the world bounds of a part of the object; empty where it has no end.
+    void add_bounds(std::uint32_t object, const Bounds3& bounds);
+    /// Warns of targets without an end, which nothing is shot at.
+    void finish(const WarningSink& warn);
+
+private:
+    const scene::Scene& scene_;
+    RenderScene& out_;
+    std::vector<std::uint32_t> numbers_;  ///< For each object its target's, from 1; 0: none.
+    std::vector<std::uint32_t> endless_;  ///< Objects that have no end.
+};
+
+}  // namespace sundog
