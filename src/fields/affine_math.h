@@ -2,6 +2,7 @@
 // Every operation of functions over ranges (fields/affine.h), for fields/run.h.
 #pragma once
 
+#include <algorithm>
 #include <numbers>
 #include <optional>
 

@@ -2,6 +2,7 @@
 // Flat functions: what builders make of them, their values, derivatives and bounds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 

@@ -240,7 +240,8 @@ KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send e
 KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
 KERNEL_CONST uint FEATURE_HOLLOW =
     4194304u;  ///< Media; or fog, and something that isn't hollow: rays keep MediaInsides.
-KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;  ///< Caustics by photons (the CPU device's alone).
+KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;    ///< Caustics by photons (the CPU device's alone).
+KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;  ///< Some interior brightens shadows (POV-Ray's `caustics`).
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
@@ -373,6 +374,8 @@ struct Interior {
     vec3 fade_color;
     float dispersion;         ///< Index of refraction of violet over that of red light.
     uint dispersion_samples;  ///< Colours that light is split into.
+    /// If FEATURE_CAUSTICS: shadow rays are brightened by the cosine at its surfaces to this power; 0: not.
+    float caustics;
 };
 
 /// One layer: a pigment and a finish, with POV-Ray's meaning (reference, section 3.5.4). Colours linear.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solids/bounds.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sundog::solids {

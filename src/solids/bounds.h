@@ -2,6 +2,8 @@
 // Boxes that may reach to infinity.
 #pragma once
 
+#include <algorithm>
+
 #include "base/vec3d.h"
 #include "solids/ray.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cones, their frustums, and cylinders.
+#include <algorithm>
 #include <cmath>
 
 #include "solids/shape.h"

@@ -2,6 +2,7 @@
 // Crossings of convex solids whose distance function is known: ovus and lemon.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "solids/ray.h"

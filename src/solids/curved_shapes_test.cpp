@@ -2,6 +2,7 @@
 // Shapes made from splines and fields.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solids/test_solids.h"

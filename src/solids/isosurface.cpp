@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a function is below a threshold within a container. Roots along a ray are isolated by bounds of the function
 // over parts of the ray (reduced affine arithmetic: Knoll et al. 2009), so none is stepped over, however steep it is.
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <vector>

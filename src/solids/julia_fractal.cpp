@@ -2,6 +2,7 @@
 // Slices of Julia sets of numbers of four parts (POV-Ray reference, section 3.4.5.1.7): inside where no h(n+1) =
 // f(h(n)) + p, up to the last iteration, leaves the ball of radius 4. A ray goes on by estimates of how far the surface
 // is (Hart, Sandin and Kauffman 1989), the changes between two steps are halved down.
+#include <algorithm>
 #include <cmath>
 #include <vector>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lemons (POV-Ray 3.8): an arc over the way between two discs, turned about that way.
+#include <algorithm>
 #include <cmath>
 
 #include "solids/convex_revolution.h"

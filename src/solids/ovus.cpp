@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eggs: a sphere around the origin, one around its top, and between them an arc, turned about the y axis, that touches
 // both. The arc's radius is twice the larger sphere's, as silhouettes by POV-Ray 3.7 show.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -2,6 +2,7 @@
 // Surfaces whose x, y and z are functions of u and v. The (u, v) rectangle is quartered until bounds of the functions
 // (affine arithmetic) are small boxes; within a box, a ray and the surface meet where Newton's method from the two
 // triangles of its corners ends (Toth 1985).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <deque>

@@ -2,6 +2,7 @@
 // Scenes as other programs write them: each is drawn, and drawn as povray does, where that is installed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "output/compare.h"

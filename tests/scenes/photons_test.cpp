@@ -2,6 +2,7 @@
 // Light that photons bring, where geometry gives it in closed form.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenes/scene_builder.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes made of lists of points, coefficients or components.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

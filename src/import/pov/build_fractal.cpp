@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Julia fractals, eggs, lemons and parametric surfaces (POV-Ray reference, sections 3.4.5.1.7 to 3.4.5.1.10; lemons
 // are of 3.8).
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Isosurfaces (POV-Ray reference, section 3.4.5.1.7 "Isosurface").
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>

@@ -2,6 +2,7 @@
 // Shapes that take a few numbers, and groups.
 #include "import/pov/build_shape.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 

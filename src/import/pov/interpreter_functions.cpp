@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Calls of functions in expressions: those of the language, the scene's own, splines, and questions about objects.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 // For tests: small programs in POV-Ray's language, and what they print or make.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "import/pov/format_blocks.h"

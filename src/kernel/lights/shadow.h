@@ -20,9 +20,9 @@ KERNEL_BEGIN
 
 /// Share of the light, per channel, that comes along a shadow ray: 0 behind anything opaque, 1 in the open; each
 /// transparent surface in the way takes its part by its transmittance, which falls with the light's angle to its normal
-/// where the material follows Fresnel. The ray goes straight: caustics are not its business (Whitted 1980, section 3).
-/// `insides` is what the ray starts inside of: media there and on the way dim the light; fog and the atmosphere's media
-/// only that of lights with LIGHT_ATTENUATED among `light_flags`.
+/// where the material follows Fresnel. The ray goes straight: real caustics are not its business (Whitted 1980, section
+/// 3). `insides` is what the ray starts inside of: media there and on the way dim the light; fog and the atmosphere's
+/// media only that of lights with LIGHT_ATTENUATED among `light_flags`.
 FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_flags, mask alive,
                               INOUT(RayCounts) counts) {
     word one = select(alive, word(1u), word(0u));
@@ -74,6 +74,12 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
             word interior = interior_of(SCENE_ s, lobes.patterned);
             passes =
                 lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);
+            if (FEATURE(FEATURE_CAUSTICS)) {
+                // As povray's pictures show: twice as much where light meets the surface head-on.
+                real exponent = FIELD(interiors, interior, caustics);
+                real cosine = abs(dot(layered.mirror, ray.direction));
+                passes = passes * select(exponent > real(0.0f), 1.0f + power(cosine, exponent), real(1.0f));
+            }
         }
 #ifdef __cplusplus
         if (FEATURE(FEATURE_MEDIA))

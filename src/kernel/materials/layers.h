@@ -118,7 +118,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
             real cos_layer = cos_in;
             if (FEATURE(FEATURE_NORMALS)) {
                 real3 n = s.normal;
-                if (layer.normal != NONE && !for_shadow && any_lane(in_part)) {
+                if (layer.normal != NONE && (!for_shadow || FEATURE(FEATURE_CAUSTICS)) && any_lane(in_part)) {
                     real3 placed = point;
                     if (layer.normal_uses_uv != 0u) placed = real3(s.uv.x, s.uv.y, real(0.0f));
                     asked.position = placed;
