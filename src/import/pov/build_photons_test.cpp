@@ -15,7 +15,7 @@ using scene::PhotonSwitch;
 
 /// The error of `photons { ITEMS }` in global_settings, without the place and the source's line.
 std::string global_error(const std::string& items) {
-    const std::string error = error_of("global_settings { photons { " + items + " } }");
+    std::string error = error_of("global_settings { photons { " + items + " } }");
     const std::size_t message = error.find("error: "), end = error.find('\n'), hint = error.find("hint: ");
     if (message == std::string::npos) return error;
     return error.substr(message + 7, end - message - 7) + (hint == std::string::npos ? "" : "; " + error.substr(hint));
