@@ -76,24 +76,26 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
             if ((light.flags & LIGHT_SHADOWS) != 0u && any_lane(lit)) {
                 real3 off = s.geometric_normal * s.error;
                 if (FEATURE(FEATURE_BACKLIT)) off = select(behind, -off, off);
-                mask alike = lit;
-                if (FEATURE(FEATURE_PHOTONS)) {
-                    // What doesn't collect photons gets the light that they stand for along shadow rays.
-                    mask collects = (FIELD(geometries, s.geometry, photons) & word(PHOTONS_COLLECT)) != word(0u);
-                    mask blind = mask_and(lit, mask_not(collects));
-                    alike = mask_and(lit, collects);
-                    if (any_lane(blind)) {
-                        Light plain = light;
-                        plain.flags = light.flags | LIGHT_PHOTONS_NEVER_REFRACT;
-                        real3 passes =
-                            light_visibility(SCENE_ plain, s.position + off, to_light, distance, media, blind, counts);
-                        light_color = select(blind, light_color * passes, light_color);
+                // What doesn't collect photons gets the light that they stand for along shadow rays, in a turn of its
+                // own: in one place, for the code of shadows is large.
+                uint turns = FEATURE(FEATURE_PHOTONS) ? 2u : 1u;
+                for (uint turn = 0u; turn < turns; turn = turn + 1u) {
+                    Light asked = light;
+                    mask here = lit;
+                    if (FEATURE(FEATURE_PHOTONS)) {
+                        mask collects = (FIELD(geometries, s.geometry, photons) & word(PHOTONS_COLLECT)) != word(0u);
+                        if (turn == 0u) {
+                            here = mask_and(lit, collects);
+                        } else {
+                            here = mask_and(lit, mask_not(collects));
+                            asked.flags = light.flags | LIGHT_PHOTONS_NEVER_REFRACT;
+                        }
                     }
-                }
-                if (any_lane(alike)) {
-                    real3 passes =
-                        light_visibility(SCENE_ light, s.position + off, to_light, distance, media, alike, counts);
-                    light_color = select(alike, light_color * passes, light_color);
+                    if (any_lane(here)) {
+                        real3 passes =
+                            light_visibility(SCENE_ asked, s.position + off, to_light, distance, media, here, counts);
+                        light_color = select(here, light_color * passes, light_color);
+                    }
                 }
             }
         }
