@@ -256,6 +256,8 @@ KERNEL_CONST uint MAX_SHADOW_SURFACES = 32u;
 
 /// Interiors with media, or solids, that a ray's origin may be inside of at a time; further ones are not noticed.
 KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
+/// PatternedMaterial::interior of all objects that have none of their own.
+KERNEL_CONST uint INTERIOR_PLAIN = 1u;
 /// PatternedMaterial::medium of what is not hollow.
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,

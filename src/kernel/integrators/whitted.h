@@ -103,6 +103,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #endif
                 real eta = crossing_eta(SCENE_ crossing, interior, path.insides, spectrum);
                 lobes.eta = select(lobes.patterned, eta, lobes.eta);
+                lobes.enclosed = mask_and(crossing.leaves, crossing.behind.inner != word(0u));
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
