@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
 // SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
-// nothing there). Everything that depends on them lives in an inline namespace of its own, so units of different kinds
+// nothing there), and SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
+// integrators/record.h). Everything that depends on them lives in an inline namespace of its own, so units of different kinds
 // can be linked together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
@@ -16,13 +17,20 @@
 #define SUNDOG_KERNEL_LANES 1
 #endif
 
-#define SUNDOG_KERNEL_PASTE_(a, b) a##b
-#define SUNDOG_KERNEL_PASTE(a, b) SUNDOG_KERNEL_PASTE_(a, b)
+#define SUNDOG_KERNEL_PASTE_(a, b, c) a##b##c
+#define SUNDOG_KERNEL_PASTE(a, b, c) SUNDOG_KERNEL_PASTE_(a, b, c)
+#ifdef SUNDOG_KERNEL_RECORDS
+#define SUNDOG_KERNEL_PURPOSE recording_
+#define RECORDING true
+#else
+#define SUNDOG_KERNEL_PURPOSE
+#define RECORDING false
+#endif
 #ifdef SUNDOG_KERNEL_FEATURES
-#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(plain_lanes, SUNDOG_KERNEL_LANES)
+#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(SUNDOG_KERNEL_PURPOSE, plain_lanes, SUNDOG_KERNEL_LANES)
 #define FN_RECURSIVE FN
 #else
-#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES)
+#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(SUNDOG_KERNEL_PURPOSE, lanes, SUNDOG_KERNEL_LANES)
 #define SUNDOG_KERNEL_FEATURES 0xffffffffu
 #define FN_RECURSIVE FN_LARGE
 #endif
