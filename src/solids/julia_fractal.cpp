@@ -145,7 +145,8 @@ private:
         double squared_slope = 1;
         double u = ur * ur + ui * ui;
         double v = vr * vr + vi * vi;
-        for (int n = 0; n < iterations_ && 0.5 * (u + v) <= kEscape * kEscape; ++n) {
+        int n = 0;
+        for (; n < iterations_ && 0.5 * (u + v) <= kEscape * kEscape; ++n) {
             squared_slope *= 4 * std::max(u, v);
             ui = 2 * ur * ui + pui, ur = 2 * ur * ur - u + pur;
             vi = 2 * vr * vi + pvi, vr = 2 * vr * vr - v + pvr;
@@ -154,7 +155,9 @@ private:
         }
         const double size = std::sqrt(0.5 * (u + v));
         const double slope = std::sqrt(squared_slope);
-        return {size <= kEscape, std::abs(size - kEscape) / slope};
+        if (size <= kEscape) return {true, (kEscape - size) / slope};
+        // By the potential, as in quaternion_probe().
+        return {false, size * (std::log(size) - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
     }
 
     /// The slope of |h|^2 at the iteration that comes nearest to the surface.
