@@ -37,12 +37,11 @@ double seconds_of(const Work& work) {
 
 }  // namespace
 
-std::vector<RefinementTiming> run_refinement(const RefinementOptions& options,
-                                             const std::function<void(std::string_view)>& note, const StopFlag& stop) {
+void run_refinement(const RefinementOptions& options, const std::function<void(const RefinementTiming&)>& done,
+                    const StopFlag& stop) {
     const std::filesystem::path gallery = options.gallery.empty() ? SUNDOG_GALLERY : options.gallery;
     const int threads =
         options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    std::vector<RefinementTiming> out;
     for (const std::string name : kScenes) {
         if (!options.scenes.empty() &&
             std::find(options.scenes.begin(), options.scenes.end(), name) == options.scenes.end())
@@ -52,8 +51,7 @@ std::vector<RefinementTiming> run_refinement(const RefinementOptions& options,
         Session session(open_device("cpu", threads));
         session.load(compiled);
         for (const auto& size : kSizes) {
-            if (stop.requested()) return out;
-            note(fmt::format("{} {}x{}", name, size[0], size[1]));
+            if (stop.requested()) return;
             RefinementTiming timing{.scene = name, .width = size[0], .height = size[1]};
             timing.worst_psnr_db = 1e9;
             Film traced({0, 0, size[0], size[1]});
@@ -91,7 +89,7 @@ std::vector<RefinementTiming> run_refinement(const RefinementOptions& options,
                 timing.flip += c.flip;
                 ++compared;
             }
-            if (compared == 0) return out;
+            if (compared == 0) return;
             timing.traced_s = median(traced_s);
             timing.refined_s = median(refined_s);
             timing.pixels_per_point = pixels / points;
@@ -99,24 +97,22 @@ std::vector<RefinementTiming> run_refinement(const RefinementOptions& options,
             timing.psnr_db /= compared;
             timing.ssim /= compared;
             timing.flip /= compared;
-            out.push_back(timing);
+            done(timing);
         }
     }
-    return out;
 }
 
-std::string format_refinement(const std::vector<RefinementTiming>& timings) {
-    std::string text = fmt::format("{:<9} {:>9} | {:>9} {:>9} {:>6} {:>8} | {:>9} {:>6} | {:>7} {:>7} {:>6} {:>6}\n",
-                                   "scene", "size", "traced ms", "refined", "ratio", "frames/s", "pix/point", "rays",
-                                   "PSNR dB", "worst", "SSIM", "FLIP");
-    for (const RefinementTiming& t : timings)
-        text += fmt::format(
-            "{:<9} {:>9} | {:>9.2f} {:>9.2f} {:>6.2f} {:>8.1f} | {:>9.2f} {:>6.2f} | {:>7.2f} {:>7.2f} {:>6.4f} "
-            "{:>6.4f}\n",
-            t.scene, fmt::format("{}x{}", t.width, t.height), t.traced_s * 1e3, t.refined_s * 1e3,
-            t.traced_s / t.refined_s, 1 / t.refined_s, t.pixels_per_point, t.rays_ratio, t.psnr_db, t.worst_psnr_db,
-            t.ssim, t.flip);
-    return text;
+std::string refinement_head() {
+    return fmt::format("{:<9} {:>9} | {:>9} {:>9} {:>6} {:>8} | {:>9} {:>6} | {:>7} {:>7} {:>6} {:>6}\n", "scene",
+                       "size", "traced ms", "refined", "ratio", "frames/s", "pix/point", "rays", "PSNR dB", "worst",
+                       "SSIM", "FLIP");
+}
+
+std::string refinement_row(const RefinementTiming& t) {
+    return fmt::format(
+        "{:<9} {:>9} | {:>9.2f} {:>9.2f} {:>6.2f} {:>8.1f} | {:>9.2f} {:>6.2f} | {:>7.2f} {:>7.2f} {:>6.4f} {:>6.4f}\n",
+        t.scene, fmt::format("{}x{}", t.width, t.height), t.traced_s * 1e3, t.refined_s * 1e3, t.traced_s / t.refined_s,
+        1 / t.refined_s, t.pixels_per_point, t.rays_ratio, t.psnr_db, t.worst_psnr_db, t.ssim, t.flip);
 }
 
 }  // namespace sundog::bench

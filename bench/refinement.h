@@ -31,11 +31,13 @@ struct RefinementTiming {
     double worst_psnr_db = 0;
 };
 
-/// Measures on the CPU; each frame is made both ways in turn. `note` gets a line before each scene.
-/// Errors: InputError (no gallery), DeviceError.
-std::vector<RefinementTiming> run_refinement(const RefinementOptions& options,
-                                             const std::function<void(std::string_view)>& note, const StopFlag& stop);
+/// Measures on the CPU; each frame is made both ways in turn. `done` gets each scene at each size as soon as it is
+/// known. Errors: InputError (no gallery, no such scene), DeviceError.
+void run_refinement(const RefinementOptions& options, const std::function<void(const RefinementTiming&)>& done,
+                    const StopFlag& stop);
 
-std::string format_refinement(const std::vector<RefinementTiming>& timings);
+/// A table's head, and its rows.
+std::string refinement_head();
+std::string refinement_row(const RefinementTiming& timing);
 
 }  // namespace sundog::bench

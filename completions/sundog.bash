@@ -12,25 +12,26 @@ _sundog() {
   fi
   case $before in
     --device) mapfile -t COMPREPLY < <(compgen -W "auto cpu gpu" -- "$word"); return ;;
+    --only) mapfile -t COMPREPLY < <(compgen -W "table cornell mirrors glass textured" -- "$word"); return ;;
     --shadows) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$word"); return ;;
     --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm tga bmp" -- "$word"); return ;;
     --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
     -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --max-steps | --max-memory | --threads | --spp | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
+    --max-steps | --max-memory | --threads | --spp | --preview | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
   case $command in
     render)
-      options+=" --output --format --size --device --threads --spp --max-depth --min-weight --shadows --no-shadows"
+      options+=" --output --format --size --device --threads --spp --preview --max-depth --min-weight --shadows --no-shadows"
       options+=" --time --frames --fps --exposure --aov --camera --pixel --quiet"
       files='@(scene|obj|conf)' ;;
     view) options+=" --size --device --threads --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
-    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load" ;;
+    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --refine --only" ;;
     pov)
       options+=" --device --format --sandbox --allow-write --max-steps --max-memory +W +H +I +O +A +R +Q +FN +FJ +FT +UA +L +WT +KFF"
       [[ $word == +* ]] && mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word") && return

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -29,11 +30,16 @@ int measure(const bench::BenchOptions& options) {
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
 
-int measure_refinement(const bench::BenchOptions& options, float tolerance) {
+int measure_refinement(const bench::BenchOptions& options, float tolerance, const std::vector<std::string>& scenes) {
     const InterruptGuard interrupt;
-    fmt::print("{}", bench::format_refinement(bench::run_refinement(
-                         {.gallery = options.gallery, .scenes = {}, .threads = options.threads, .tolerance = tolerance},
-                         [](std::string_view line) { print_note(std::string(line)); }, interrupt.flag())));
+    fmt::print("{}", bench::refinement_head());
+    bench::run_refinement(
+        {.gallery = options.gallery, .scenes = scenes, .threads = options.threads, .tolerance = tolerance},
+        [](const bench::RefinementTiming& timing) {
+            fmt::print("{}", bench::refinement_row(timing));
+            std::fflush(stdout);
+        },
+        interrupt.flag());
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
 
@@ -74,9 +80,18 @@ void add_bench(CLI::App& program, Action& action) {
             "--refine", [tolerance](Text text) { *tolerance = parse_float("--refine", text, 0, 1); },
             "Instead, grid refinement of this tolerance (see 'render --preview') against tracing every pixel")
         ->type_name("T");
-    command->callback([options, tolerance, &action] {
-        action = [options, tolerance] {
-            return *tolerance ? measure_refinement(*options, **tolerance) : measure(*options);
+    const auto scenes = std::make_shared<std::vector<std::string>>();
+    command
+        ->add_option_function<std::string>(
+            "--only",
+            [scenes](Text text) {
+                scenes->push_back(parse_choice("--only", text, {"table", "cornell", "mirrors", "glass", "textured"}));
+            },
+            "With --refine: this scene of the gallery alone")
+        ->type_name("NAME");
+    command->callback([options, tolerance, scenes, &action] {
+        action = [options, tolerance, scenes] {
+            return *tolerance ? measure_refinement(*options, **tolerance, *scenes) : measure(*options);
         };
     });
 }

@@ -35,11 +35,13 @@ public:
         grid_.clear();
         looked_count_ = 0;
         int count = 0;
-        for (int y = 0; y < pixels.height; y += kSquareSide)
-            for (int x = 0; x < pixels.width; x += kSquareSide) {
-                squares_[0][count++] = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)};
-                want_corners(x, y, kSquareSide);
-            }
+        // Along a Z curve, so that points that are traced one after the other lie close together.
+        for (int i = 0; i < kSquaresAcross * kSquaresAcross; ++i) {
+            const int x = every_second_bit(i) * kSquareSide, y = every_second_bit(i / 2) * kSquareSide;
+            if (x >= pixels.width || y >= pixels.height) continue;
+            squares_[0][count++] = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y)};
+            want_corners(x, y, kSquareSide);
+        }
         int list = 0;
         for (int step = kSquareSide; step > 1; step /= 2, list = 1 - list) {
             grid_.trace_wanted(tracer, quality, pixels);
@@ -90,29 +92,33 @@ private:
         grid_.want(x + half, y + 2 * half);
     }
 
+    static constexpr int every_second_bit(int i) { return (i & 1) | (i >> 1 & 2) | (i >> 2 & 4); }
+    static_assert(kSquaresAcross == 8);
+
     /// Interpolates a square's pixels but those that are traced themselves, and but its right and lower sides, which
     /// belong to its neighbours.
     void fill(TilePlace at, int step, const TilePixels& pixels) const {
         const float part = 1.0F / static_cast<float>(step);
-        Float4 left = grid_.light(at.x, at.y), right = grid_.light(at.x + step, at.y);
-        const Float4 left_slope = (grid_.light(at.x, at.y + step) - left) * part;
-        const Float4 right_slope = (grid_.light(at.x + step, at.y + step) - right) * part;
+        const auto corner = [&](int x, int y) {
+            Float4 light = grid_.light(x, y);
+            light[3] = 1;
+            return light;
+        };
+        const Float4 first = corner(at.x, at.y), second = corner(at.x + step, at.y);
+        const Float4 left_slope = (corner(at.x, at.y + step) - first) * part;
+        const Float4 right_slope = (corner(at.x + step, at.y + step) - second) * part;
         const int columns = at.x + step < pixels.width ? step : pixels.width - at.x;
         const int rows = at.y + step < pixels.height ? step : pixels.height - at.y;
         for (int row = 0; row < rows; ++row) {
-            const Float4 slope = (right - left) * part;
-            Float4 value = left;
+            const auto down = static_cast<float>(row);
+            const Float4 left = first + left_slope * down;
+            const Float4 slope = (second + right_slope * down - left) * part;
             StoredFloat4* const line = pixels.row(at.y + row) + at.x;
+            // Inside of the square nothing has been traced.
             for (int column = 0; column < columns; ++column) {
-                if ((row > 0 && column > 0) || !grid_.is_wanted(at.x + column, at.y + row)) {
-                    Float4 pixel = value;
-                    pixel[3] = 1;
-                    line[column] = pixel;
-                }
-                value += slope;
+                if ((row == 0 || column == 0) && grid_.is_wanted(at.x + column, at.y + row)) continue;
+                line[column] = left + slope * static_cast<float>(column);
             }
-            left += left_slope;
-            right += right_slope;
         }
     }
 

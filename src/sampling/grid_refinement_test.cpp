@@ -20,7 +20,7 @@ PointRecord gray(float value, std::uint32_t signature = 1) {
     PointRecord record;
     record.whole = Float4{value, value, value, 1};
     record.light = Float4{value, value, value, 0};
-    record.signature = signature;
+    record.signature = record.outline = signature;
     return record;
 }
 
@@ -162,7 +162,7 @@ struct StripedTracer {
             records[i].light = Float4{0.01F, 0.01F, 0.01F, 0};
             records[i].shade = Float4{shade, shade, shade, 0};
             records[i].surface = hole ? 9 : 5;
-            records[i].signature = hole ? 9 : 5;
+            records[i].signature = records[i].outline = hole ? 9 : 5;
         }
     }
     void look(const TilePlace* places, int count, SurfaceLook* looks) {

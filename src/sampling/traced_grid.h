@@ -30,10 +30,13 @@ struct PointRecord {
     /// Equal where rays met the same objects in the same order, and the same lights lit each of them. 0: nothing is
     /// like it.
     std::uint32_t signature = 0;
+    /// Equal where the eye itself sees the same object, whatever lights it and whatever it mirrors.
+    std::uint32_t outline = 0;
     /// Equal where the same lights also have a visible highlight.
     std::uint32_t highlights = 0;
     /// The textured object that the eye sees, from 1; 0: it has no texture.
     std::uint32_t surface = 0;
+    std::uint32_t rays = 0;  ///< Of all kinds, that the point took.
 };
 
 /// A point of a tile, in pixels from its first.
@@ -94,25 +97,16 @@ public:
         }
     }
 
-    /// True if the points at all four corners remember the same and look alike.
+    /// True if the points at all four corners remember the same and look alike. Between points two pixels apart hardly
+    /// anything hides: there only the outlines of what the eye sees must be the same, so that edges of shadows and of
+    /// what mirrors show may be two pixels soft where they are faint.
     [[nodiscard]] bool agree(int x, int y, int step, const RefinementQuality& quality) const {
         const int a = index(x, y), b = a + step, c = index(x, y + step), d = c + step;
-        if (signature_[a] == 0 || signature_[a] != signature_[b] || signature_[a] != signature_[c] ||
-            signature_[a] != signature_[d])
-            return false;
-        // A highlight's rim is smooth: between points two pixels apart nothing of it hides.
-        if (step > 2 &&
-            (highlights_[a] != highlights_[b] || highlights_[a] != highlights_[c] || highlights_[a] != highlights_[d]))
-            return false;
+        if (signature_[a] == 0 || signature_[b] == 0 || signature_[c] == 0 || signature_[d] == 0) return false;
+        const auto same = [&](const std::uint32_t* of) { return of[a] == of[b] && of[a] == of[c] && of[a] == of[d]; };
+        if (step > 2 ? !(same(signature_) && same(highlights_)) : !same(outline_)) return false;
         return look_alike(least(least(seen_[a], seen_[b]), least(seen_[c], seen_[d])),
                           most(most(seen_[a], seen_[b]), most(seen_[c], seen_[d])), step, quality);
-    }
-    /// The same for two points of a row.
-    [[nodiscard]] bool agree_in_row(int x, int y, int step, const RefinementQuality& quality) const {
-        const int a = index(x, y), b = a + step;
-        if (signature_[a] == 0 || signature_[a] != signature_[b]) return false;
-        if (step > 2 && highlights_[a] != highlights_[b]) return false;
-        return look_alike(least(seen_[a], seen_[b]), most(seen_[a], seen_[b]), step, quality);
     }
 
     [[nodiscard]] Float4 light(int x, int y) const { return light_[index(x, y)]; }
@@ -141,8 +135,9 @@ private:
         const int at = index(place.x, place.y);
         if (place.x < pixels.width && place.y < pixels.height) pixels.row(place.y)[place.x] = record.whole;
         light_[at] = record.light;
-        shade_[at] = record.shade;
+        if (record.surface != 0) shade_[at] = record.shade;
         signature_[at] = record.signature;
+        outline_[at] = record.outline;
         highlights_[at] = record.highlights;
         surface_[at] = record.surface;
         const Float4 all = (record.light + record.shade) * quality.gain;
@@ -153,7 +148,7 @@ private:
 
     Float4 light_[kPoints], shade_[kPoints];
     Float4 seen_[kPoints];  ///< As the eye has it, for comparisons.
-    std::uint32_t signature_[kPoints], highlights_[kPoints], surface_[kPoints];
+    std::uint32_t signature_[kPoints], outline_[kPoints], highlights_[kPoints], surface_[kPoints];
     std::uint8_t wanted_[kPoints];
     TilePlace places_[kPoints];
     int place_count_ = 0, traced_count_ = 0;

@@ -15,7 +15,7 @@
 
 #include "base/diagnostics.h"
 #include "device/cpu/embree_scene.h"
-#include "device/cpu/grid_kernel.h"
+#include "device/cpu/grid_tile.h"
 #include "device/cpu/photons.h"
 #include "device/cpu/radiosity.h"
 #include "device/cpu/tile_kernel.h"
@@ -58,10 +58,11 @@ public:
         plain_kernel_ = lanes_ == 16  ? cpu::render_plain_tile_16
                         : lanes_ == 8 ? cpu::render_plain_tile_8
                                       : cpu::render_plain_tile_4;
-        grid_kernel_ = lanes_ == 16 ? cpu::refine_tile_16 : lanes_ == 8 ? cpu::refine_tile_8 : cpu::refine_tile_4;
-        plain_grid_kernel_ = lanes_ == 16  ? cpu::refine_plain_tile_16
-                             : lanes_ == 8 ? cpu::refine_plain_tile_8
-                                           : cpu::refine_plain_tile_4;
+        points_ = lanes_ == 16 ? cpu::trace_points_16 : lanes_ == 8 ? cpu::trace_points_8 : cpu::trace_points_4;
+        plain_points_ = lanes_ == 16  ? cpu::trace_plain_points_16
+                        : lanes_ == 8 ? cpu::trace_plain_points_8
+                                      : cpu::trace_plain_points_4;
+        looks_ = lanes_ == 16 ? cpu::look_at_points_16 : lanes_ == 8 ? cpu::look_at_points_8 : cpu::look_at_points_4;
         photon_kernel_ = lanes_ == 16  ? cpu::trace_photons_16
                          : lanes_ == 8 ? cpu::trace_photons_8
                                        : cpu::trace_photons_4;
@@ -231,7 +232,7 @@ private:
         });
     }
 
-    void refine_tile(const Frame& frame, const PixelRect& tile, const RefinedWork& work, Film& film,
+    void refine_tile(const kernel::SceneView& view, const PixelRect& tile, const RefinedWork& work, Film& film,
                      const StopFlag& stop, Totals& totals) {
         if (stop.requested()) {
             totals.complete = false;
@@ -251,18 +252,15 @@ private:
                                                     x % sampling::kSquaresAcross)] =
                         work.finest[static_cast<std::size_t>(y * squares(film.bounds.width()) + x)];
         }
-        const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
-        const cpu::GridRays done =
-            (plain ? plain_grid_kernel_ : grid_kernel_)({*scene_,
-                                                         frame,
-                                                         embree_->handle(),
-                                                         tile,
-                                                         {work.tolerance, work.gain},
-                                                         finest.data(),
-                                                         *refinement,
-                                                         film,
-                                                         radiosity_ ? &radiosity_->radiosity->light() : nullptr,
-                                                         photons_ ? photons_->photons.get() : nullptr});
+        const bool plain = (view.frame.features & ~kernel::FEATURES_PLAIN) == 0;
+        const cpu::GridRays done = cpu::refine_tile({view,
+                                                     plain ? plain_points_ : points_,
+                                                     looks_,
+                                                     tile,
+                                                     {work.tolerance, work.gain},
+                                                     finest.data(),
+                                                     *refinement,
+                                                     film});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
         totals.points += done.points;
@@ -291,7 +289,8 @@ private:
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
     cpu::TileKernel plain_kernel_ = nullptr;
-    cpu::GridKernel grid_kernel_ = nullptr, plain_grid_kernel_ = nullptr;
+    cpu::PointKernel points_ = nullptr, plain_points_ = nullptr;
+    cpu::LookKernel looks_ = nullptr;
     cpu::RayKernel rays_ = nullptr;
     cpu::PhotonKernel photon_kernel_ = nullptr;
     tbb::task_arena arena_;

@@ -24,8 +24,8 @@ KERNEL_END
 #include "device/cpu/tracing.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
-#ifdef SUNDOG_GRID_KERNEL
-#include "device/cpu/grid_tracer.h"
+#ifdef SUNDOG_POINT_KERNEL
+#include "device/cpu/trace_points.h"
 #endif
 #ifdef SUNDOG_PHOTON_KERNEL
 #include "kernel/integrators/photons.h"
@@ -248,8 +248,13 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
 }
 
-#ifdef SUNDOG_GRID_KERNEL
-GridRays SUNDOG_GRID_KERNEL(const GridWork& work) { return refine_grid_tile(work); }
+#ifdef SUNDOG_POINT_KERNEL
+BatchRays SUNDOG_POINT_KERNEL(const PointBatch& points, sampling::PointRecord* records) {
+    return trace_points(points, records);
+}
+BatchRays SUNDOG_LOOK_KERNEL(const PointBatch& points, sampling::SurfaceLook* looks) {
+    return look_at_points(points, looks);
+}
 #endif
 
 #ifdef SUNDOG_RAY_KERNEL

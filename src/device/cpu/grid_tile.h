@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grid refinement of one tile of a film.
+#pragma once
+
+#include <cstdint>
+
+#include "device/cpu/point_kernel.h"
+#include "device/film.h"
+
+namespace sundog::cpu {
+
+/// A tile to refine: at most sampling::kRefinedTileSide pixels a side.
+struct GridWork {
+    const kernel::SceneView& scene;  ///< With `records`.
+    PointKernel trace = nullptr;
+    LookKernel look = nullptr;
+    PixelRect region;  ///< Pixels to write.
+    sampling::RefinementQuality quality;
+    const std::uint8_t* finest = nullptr;  ///< As in GridRefinement::refine().
+    sampling::GridRefinement& refinement;  ///< Memory to work in.
+    Film& film;
+};
+
+/// What that took.
+struct GridRays {
+    std::uint64_t rays = 0, shadow_rays = 0;
+    std::uint64_t points = 0;  ///< Of the picture's pixels and those beside them that were traced.
+};
+
+/// Writes the film's radiance and, if it has that plane, its cost: 0 where a pixel isn't traced.
+GridRays refine_tile(const GridWork& work);
+
+}  // namespace sundog::cpu
