@@ -112,8 +112,12 @@ public:
         arena_.execute([&] {
             embree_->update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            kernel::SceneView view = cpu::view_of(*scene_, frame, embree_->handle());
+            view.records = true;
+            view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
+            view.photons = photons_ ? photons_->photons.get() : nullptr;
             for_each_tile(film.bounds, sampling::kRefinedTileSide,
-                          [&](const PixelRect& tile) { refine_tile(frame, tile, work, film, stop, totals); });
+                          [&](const PixelRect& tile) { refine_tile(view, tile, work, film, stop, totals); });
         });
         return totals.stats();
     }
