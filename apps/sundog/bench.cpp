@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include "arguments.h"
+#include "bench/accel_bench.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
+#include "usage_error.h"
 
 namespace sundog::app {
 namespace {
@@ -15,12 +17,24 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  sundog bench\n"
     "  sundog bench --device gpu --no-load\n"
+    "  sundog bench --accel\n"
     "Each round measures every contestant once, and medians count. Ctrl-C prints what is done.";
 
 int measure(const bench::BenchOptions& options) {
     const InterruptGuard interrupt;
     const bench::BenchReport report = bench::run_bench(
         options, [](std::string_view line) { print_note(std::string(line)); }, interrupt.flag());
+    fmt::print("{}", bench::format_report(report));
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_structures(const bench::BenchOptions& options, const std::string& scene) {
+    if (options.devices != std::vector<std::string>{"cpu"})
+        throw UsageError("--accel compares structures for the CPU, which --device gpu doesn't use");
+    const InterruptGuard interrupt;
+    const bench::AccelReport report = bench::run_accel_bench(
+        {options.gallery, options.threads, options.rounds, scene},
+        [](std::string_view line) { print_note(std::string(line)); }, interrupt.flag());
     fmt::print("{}", bench::format_report(report));
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
@@ -56,7 +70,25 @@ void add_bench(CLI::App& program, Action& action) {
         "--no-tachyon", [&o] { o.tachyon = false; }, "Leave the Tachyon program out");
     command->add_flag_callback(
         "--no-load", [&o] { o.load = false; }, "Leave the loading of a big model out");
-    command->callback([options, &action] { action = [options] { return measure(*options); }; });
+    const auto scene = std::make_shared<std::string>();
+    CLI::Option* accel = command->add_flag(
+        "--accel", "Compare acceleration structures instead: time to build, memory, steps and rays a second");
+    command
+        ->add_option_function<std::string>(
+            "--scene",
+            [scene](Text text) {
+                const std::vector<std::string> names = bench::accel_scene_names();
+                *scene = parse_choice("--scene", text, {names.begin(), names.end()});
+            },
+            "With --accel: one scene of those measured")
+        ->type_name("NAME")
+        ->needs(accel);
+    command->callback([options, scene, accel, &action] {
+        const bool structures = accel->count() > 0;
+        action = [options, scene, structures] {
+            return structures ? measure_structures(*options, *scene) : measure(*options);
+        };
+    });
 }
 
 }  // namespace sundog::app

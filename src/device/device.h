@@ -23,6 +23,9 @@ struct RenderWork {
     std::uint32_t sample_count = 1;
     /// Of render_regions(): one for each of the film's pixels, 0 where a pixel keeps what it has; empty: all change.
     std::span<const std::uint8_t> wanted{};
+    /// One for each of the film's pixels, to which is added how many steps through the acceleration structure the
+    /// pixel's rays took. Counted by the CPU device with a structure of ours alone, and slowly; empty: not.
+    std::span<std::uint64_t> steps{};
 };
 
 /// What a render() did.
@@ -30,6 +33,9 @@ struct RenderStats {
     std::uint64_t rays = 0;         ///< Rays of all kinds: primary, secondary and shadow.
     std::uint64_t shadow_rays = 0;  ///< Of them, shadow rays.
     bool complete = true;           ///< False if stopped early: some pixels of the region keep their old content.
+    /// Nodes, cells and boxes that rays visited, and primitives that they were tested against; 0 where the device
+    /// doesn't count them (Embree and GPUs).
+    std::uint64_t visits = 0, tests = 0;
 };
 
 /// Who a device is.

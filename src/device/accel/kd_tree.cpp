@@ -70,7 +70,8 @@ public:
                     node = &nodes_[place.node];
                     search.visit();
                 }
-                for (std::uint32_t i = 0; i < node->count && !search.done(); ++i) if (scratch.mailboxes.is_first(items_[node->first + i])) search.test(items_[node->first + i]);
+                for (std::uint32_t i = 0; i < node->count && !search.done(); ++i)
+                    if (scratch.mailboxes.is_first(items_[node->first + i])) search.test(items_[node->first + i]);
             }
             if (depth == 0 || search.done()) return;
             place = stack[--depth];
