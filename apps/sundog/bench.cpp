@@ -71,8 +71,10 @@ void add_bench(CLI::App& program, Action& action) {
     command->add_flag_callback(
         "--no-load", [&o] { o.load = false; }, "Leave the loading of a big model out");
     const auto scene = std::make_shared<std::string>();
-    CLI::Option* accel = command->add_flag(
-        "--accel", "Compare acceleration structures instead: time to build, memory, steps and rays a second");
+    const auto structures = std::make_shared<bool>(false);
+    CLI::Option* accel =
+        command->add_flag("--accel", *structures,
+                          "Compare acceleration structures instead: time to build, memory, steps and rays a second");
     command
         ->add_option_function<std::string>(
             "--scene",
@@ -83,10 +85,9 @@ void add_bench(CLI::App& program, Action& action) {
             "With --accel: one scene of those measured")
         ->type_name("NAME")
         ->needs(accel);
-    command->callback([options, scene, accel, &action] {
-        const bool structures = accel->count() > 0;
+    command->callback([options, scene, structures, &action] {
         action = [options, scene, structures] {
-            return structures ? measure_structures(*options, *scene) : measure(*options);
+            return *structures ? measure_structures(*options, *scene) : measure(*options);
         };
     });
 }

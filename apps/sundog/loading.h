@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "device/acceleration.h"
 #include "device/device.h"
 
 namespace sundog::app {

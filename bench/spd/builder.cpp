@@ -9,8 +9,6 @@ namespace {
 
 constexpr double kHalfHeight = 0.41421356237309503;  // tan 22.5 degrees
 
-Vec3d to_double(Vec3 v) { return {v.x, v.y, v.z}; }
-
 }  // namespace
 
 SceneBuilder& SceneBuilder::eye(Vec3 from, Vec3 at, Vec3 up) {

@@ -113,8 +113,11 @@ TEST(StructureScenes, SolidsAreHitAsEmbreeHitsThem) {
         const Key ours = found_by(none, ray, kernel::RAY_CAMERA);
         const RTCRayHit theirs = found_by_embree(embree, ray);
         if (theirs.hit.geomID != kernel::NONE) ++hits;
-        if (std::get<0>(ours) != theirs.hit.geomID) ++other_objects;
-        else if (theirs.hit.geomID != kernel::NONE) EXPECT_NEAR(std::get<2>(ours), theirs.ray.tfar, 1e-4F);
+        if (std::get<0>(ours) != theirs.hit.geomID) {
+            ++other_objects;
+        } else if (theirs.hit.geomID != kernel::NONE) {
+            EXPECT_NEAR(std::get<2>(ours), theirs.ray.tfar, 1e-4F);
+        }
     }
     EXPECT_GT(hits, 1000U);
     EXPECT_LE(other_objects, 2U);
