@@ -26,6 +26,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int kWidth = 320, kHeight = 240, kBlock = 8;
 /// A structure is measured for about this long in a round.
 constexpr double kRoundSeconds = 0.1;
+/// Pixels whose steps are counted.
+constexpr std::size_t kCountedPixels = 600;
 
 constexpr std::array<const char*, 5> kGallery{"table", "cornell", "mirrors", "glass", "textured"};
 
@@ -78,25 +80,35 @@ public:
                                                               {film_.bounds, 0, 1}, film_, StopFlag());
             next_ = (next_ + count) % blocks_.size();
             rays += static_cast<double>(stats.rays);
-            visits_ += static_cast<double>(stats.visits);
-            tests_ += static_cast<double>(stats.tests);
             seconds = seconds_since(start);
             if (seconds < kRoundSeconds / 8) batch_ = std::min(2 * batch_, blocks_.size());
         } while (seconds < kRoundSeconds);
-        rays_ += rays;
         rates_.push_back(rays / seconds);
     }
-    /// Caches, threads and pages are warm after this, which doesn't count.
+    /// Counts the steps of some pixels' rays, the same pixels for all. Caches, threads and pages are warm after this.
     void warm_up(const Frame& frame) {
-        measure(frame);
-        rays_ = visits_ = tests_ = 0;
-        rates_.clear();
+        if (timing_.structure == Acceleration::embree) {
+            measure(frame);
+            rates_.clear();
+            return;
+        }
+        std::vector<PixelRect> pixels;
+        for (std::size_t i = 0; i < kCountedPixels; ++i) {
+            const PixelRect& block = blocks_[i % blocks_.size()];
+            const int x = block.x0 + static_cast<int>(i * 5 % kBlock), y = block.y0 + static_cast<int>(i * 3 % kBlock);
+            pixels.push_back({x, y, x + 1, y + 1});
+        }
+        std::vector<std::uint64_t> steps(film_.radiance.size(), 0);
+        const RenderStats stats =
+            device_->render_regions(frame, pixels, {film_.bounds, 0, 1, {}, steps}, film_, StopFlag());
+        const auto rays = static_cast<double>(std::max<std::uint64_t>(stats.rays, 1));
+        timing_.visits = static_cast<double>(stats.visits) / rays;
+        timing_.tests = static_cast<double>(stats.tests) / rays;
     }
 
     [[nodiscard]] AccelTiming result() const {
         AccelTiming timing = timing_;
         timing.rays_per_second = median(rates_);
-        if (rays_ > 0) timing.visits = visits_ / rays_, timing.tests = tests_ / rays_;
         return timing;
     }
 
@@ -106,7 +118,6 @@ private:
     Film film_;
     AccelTiming timing_;
     std::size_t next_ = 0, batch_ = 2;
-    double rays_ = 0, visits_ = 0, tests_ = 0;
     std::vector<double> rates_;
 };
 

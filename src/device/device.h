@@ -34,7 +34,8 @@ struct RenderStats {
     std::uint64_t shadow_rays = 0;  ///< Of them, shadow rays.
     bool complete = true;           ///< False if stopped early: some pixels of the region keep their old content.
     /// Nodes, cells and boxes that rays visited, and primitives that they were tested against; 0 where the device
-    /// doesn't count them (Embree and GPUs).
+    /// doesn't count them (Embree and GPUs). Rays of packets whose directions go apart may be asked, and counted,
+    /// twice; not so where RenderWork::steps are counted.
     std::uint64_t visits = 0, tests = 0;
 };
 

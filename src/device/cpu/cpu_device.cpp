@@ -241,15 +241,21 @@ private:
         else run_kernel(frame, tile, work, film, totals);
     }
 
-    /// Pixel by pixel, since a packet's rays share their way through the kernel. The picture is the same.
-    void count_steps(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
-                     Totals& totals) const {
+    /// Pixel by pixel, with all others of a packet left out. The picture is the same.
+    void count_steps(const Frame& frame, const PixelRect& tile, RenderWork work, Film& film, Totals& totals) const {
+        std::vector<std::uint8_t> wanted(film.radiance.size(), 0);
+        const std::span<const std::uint8_t> asked = work.wanted;
+        work.wanted = wanted;
         for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x) {
+                const std::size_t pixel = film.index(x, y);
+                if (!asked.empty() && asked[pixel] == 0) continue;
+                wanted[pixel] = 1;
                 const accel::Steps before = structure_->steps_of_this_thread();
                 run_kernel(frame, {x, y, x + 1, y + 1}, work, film, totals);
                 const accel::Steps now = structure_->steps_of_this_thread();
-                work.steps[film.index(x, y)] += now.visits - before.visits + now.tests - before.tests;
+                work.steps[pixel] += now.visits - before.visits + now.tests - before.tests;
+                wanted[pixel] = 0;
             }
     }
 
