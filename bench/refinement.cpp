@@ -43,9 +43,7 @@ void run_refinement(const RefinementOptions& options, const std::function<void(c
     const int threads =
         options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     for (const std::string name : kScenes) {
-        if (!options.scenes.empty() &&
-            std::find(options.scenes.begin(), options.scenes.end(), name) == options.scenes.end())
-            continue;
+        if (!options.scene.empty() && options.scene != name) continue;
         const scene::Scene scene = import::import_scene(gallery / name / (name + ".scene"), {});
         const std::shared_ptr<const RenderScene> compiled = compile(scene, {});
         Session session(open_device("cpu", threads));

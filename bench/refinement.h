@@ -13,8 +13,8 @@
 namespace sundog::bench {
 
 struct RefinementOptions {
-    std::filesystem::path gallery;    ///< Folder with table/ and the others; empty: the one of the source tree.
-    std::vector<std::string> scenes;  ///< By name; empty: all of the gallery.
+    std::filesystem::path gallery;  ///< Folder with table/ and the others; empty: the one of the source tree.
+    std::string scene;              ///< Its name; empty: all of the gallery.
     int threads = 2;
     int frames = 24;         ///< Of each scene at each size, spread over its first 8 seconds.
     float tolerance = 0.1F;  ///< RefinedWork::tolerance.

@@ -12,7 +12,13 @@ _sundog() {
   fi
   case $before in
     --device) mapfile -t COMPREPLY < <(compgen -W "auto cpu gpu" -- "$word"); return ;;
-    --only) mapfile -t COMPREPLY < <(compgen -W "table cornell mirrors glass textured" -- "$word"); return ;;
+    --accel)
+      if [ "$command" != bench ]; then
+        mapfile -t COMPREPLY < <(compgen -W "embree bvh kdtree octree grid boxes none" -- "$word")
+        return
+      fi ;;
+    --show) mapfile -t COMPREPLY < <(compgen -W "cost" -- "$word"); return ;;
+    --scene) mapfile -t COMPREPLY < <(compgen -W "table cornell mirrors glass textured balls gears mount rings tetra tree scan" -- "$word"); return ;;
     --shadows) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$word"); return ;;
     --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm tga bmp" -- "$word"); return ;;
     --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
@@ -25,13 +31,13 @@ _sundog() {
   local options="--help" files=""
   case $command in
     render)
-      options+=" --output --format --size --device --threads --spp --preview --max-depth --min-weight --shadows --no-shadows"
+      options+=" --output --format --size --device --threads --accel --show --spp --preview --max-depth --min-weight --shadows --no-shadows"
       options+=" --time --frames --fps --exposure --aov --camera --pixel --quiet"
       files='@(scene|obj|conf)' ;;
-    view) options+=" --size --device --threads --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
+    view) options+=" --size --device --threads --accel --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
-    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --refine --only" ;;
+    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --accel --refine --scene" ;;
     pov)
       options+=" --device --format --sandbox --allow-write --max-steps --max-memory +W +H +I +O +A +R +Q +FN +FJ +FT +UA +L +WT +KFF"
       [[ $word == +* ]] && mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word") && return

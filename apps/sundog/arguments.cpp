@@ -143,6 +143,10 @@ AovChoice parse_aovs(std::string_view text) {
     }
 }
 
+Acceleration parse_acceleration(std::string_view text) {
+    return acceleration_named(parse_choice("--accel", text, {kAccelerationNames.begin(), kAccelerationNames.end()}));
+}
+
 std::string parse_device(std::string_view text) { return parse_choice("--device", text, {"auto", "cpu", "gpu"}); }
 
 }  // namespace sundog::app

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "device/acceleration.h"
 #include "kernel/shared.h"
 
 namespace sundog::app {
@@ -50,6 +51,9 @@ struct AovChoice {
 };
 /// Names separated by commas: depth normal albedo object samples cost, or all.
 AovChoice parse_aovs(std::string_view text);
+
+/// "embree", "bvh", …: kAccelerationNames.
+Acceleration parse_acceleration(std::string_view text);
 
 /// "cpu", "gpu" or "auto"
 std::string parse_device(std::string_view text);

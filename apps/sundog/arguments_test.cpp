@@ -71,6 +71,18 @@ TEST(Arguments, Aovs) {
     }
 }
 
+// Catches a structure whose name is lost between the command line and the device.
+TEST(Arguments, Accelerations) {
+    for (const std::string_view name : kAccelerationNames) EXPECT_EQ(name_of(parse_acceleration(name)), name);
+    EXPECT_EQ(parse_acceleration("kdtree"), Acceleration::kdtree);
+    try {
+        parse_acceleration("kd-tree");
+        FAIL();
+    } catch (const UsageError& error) {
+        EXPECT_EQ(error.hint(), "did you mean 'kdtree'?");
+    }
+}
+
 // Catches a message that echoes a terminal's control sequences.
 TEST(Arguments, EchoedValuesAreTamed) {
     try {

@@ -9,9 +9,11 @@
 #include <optional>
 
 #include "arguments.h"
+#include "bench/accel_bench.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
+#include "usage_error.h"
 
 namespace sundog::app {
 namespace {
@@ -20,6 +22,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  sundog bench\n"
     "  sundog bench --device gpu --no-load\n"
+    "  sundog bench --accel\n"
     "Each round measures every contestant once, and medians count. Ctrl-C prints what is done.";
 
 int measure(const bench::BenchOptions& options) {
@@ -30,16 +33,28 @@ int measure(const bench::BenchOptions& options) {
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
 
-int measure_refinement(const bench::BenchOptions& options, float tolerance, const std::vector<std::string>& scenes) {
+int measure_refinement(const bench::BenchOptions& options, float tolerance, const std::string& scene) {
+    if (!scene.empty()) parse_choice("--scene", scene, {"table", "cornell", "mirrors", "glass", "textured"});
     const InterruptGuard interrupt;
     fmt::print("{}", bench::refinement_head());
     bench::run_refinement(
-        {.gallery = options.gallery, .scenes = scenes, .threads = options.threads, .tolerance = tolerance},
+        {.gallery = options.gallery, .scene = scene, .threads = options.threads, .tolerance = tolerance},
         [](const bench::RefinementTiming& timing) {
             fmt::print("{}", bench::refinement_row(timing));
             std::fflush(stdout);
         },
         interrupt.flag());
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_structures(const bench::BenchOptions& options, const std::string& scene) {
+    if (options.devices != std::vector<std::string>{"cpu"})
+        throw UsageError("--accel compares structures for the CPU, which --device gpu doesn't use");
+    const InterruptGuard interrupt;
+    const bench::AccelReport report = bench::run_accel_bench(
+        {options.gallery, options.threads, options.rounds, scene},
+        [](std::string_view line) { print_note(std::string(line)); }, interrupt.flag());
+    fmt::print("{}", bench::format_report(report));
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
 
@@ -78,20 +93,28 @@ void add_bench(CLI::App& program, Action& action) {
     command
         ->add_option_function<std::string>(
             "--refine", [tolerance](Text text) { *tolerance = parse_float("--refine", text, 0, 1); },
-            "Instead, grid refinement of this tolerance (see 'render --preview') against tracing every pixel")
+            "Compare grid refinement of this tolerance (see 'render --preview') with tracing every pixel instead")
         ->type_name("T");
-    const auto scenes = std::make_shared<std::vector<std::string>>();
+    const auto scene = std::make_shared<std::string>();
+    const auto structures = std::make_shared<bool>(false);
+    command->add_flag("--accel", *structures,
+                      "Compare acceleration structures instead: time to build, memory, steps and rays a second");
     command
         ->add_option_function<std::string>(
-            "--only",
-            [scenes](Text text) {
-                scenes->push_back(parse_choice("--only", text, {"table", "cornell", "mirrors", "glass", "textured"}));
+            "--scene",
+            [scene](Text text) {
+                const std::vector<std::string> names = bench::accel_scene_names();
+                *scene = parse_choice("--scene", text, {names.begin(), names.end()});
             },
-            "With --refine: this scene of the gallery alone")
+            "With --accel or --refine: one scene of those measured")
         ->type_name("NAME");
-    command->callback([options, tolerance, scenes, &action] {
-        action = [options, tolerance, scenes] {
-            return *tolerance ? measure_refinement(*options, **tolerance, *scenes) : measure(*options);
+    command->callback([options, tolerance, scene, structures, &action] {
+        action = [options, tolerance, scene, structures] {
+            if (*structures && *tolerance) throw UsageError("--accel and --refine are two measurements");
+            if (*structures) return measure_structures(*options, *scene);
+            if (*tolerance) return measure_refinement(*options, **tolerance, *scene);
+            if (!scene->empty()) throw UsageError("--scene belongs to --accel or --refine");
+            return measure(*options);
         };
     });
 }

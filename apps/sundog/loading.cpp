@@ -17,13 +17,22 @@ std::filesystem::path scene_file_or_config(const std::string& named) {
     return config;
 }
 
-std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads) {
-    std::unique_ptr<Device> device = open_device(choice, threads);
+std::string device_for(std::optional<Acceleration> acceleration, const std::string& choice) {
+    if (!acceleration) return choice;
+    if (choice == "gpu")
+        throw UsageError("--accel chooses a structure for the CPU, which --device gpu doesn't use",
+                         "leave one of them out");
+    return "cpu";
+}
+
+std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads,
+                                        Acceleration acceleration) {
+    std::unique_ptr<Device> device = open_device(choice, threads, acceleration);
     if (choice != "auto" || device->info().kind == "cpu") return device;
     const std::vector<std::string> missing = device->unsupported(scene);
     if (missing.empty()) return device;
     print_note("using the CPU, because " + device->info().name + " can't draw this scene: " + missing.front());
-    return open_device("cpu", threads);
+    return open_device("cpu", threads, acceleration);
 }
 
 }  // namespace sundog::app

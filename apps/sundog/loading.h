@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/diagnostics.h"
+#include "device/acceleration.h"
 #include "device/device.h"
 
 namespace sundog::app {
@@ -14,8 +16,12 @@ namespace sundog::app {
 /// The scene file that was named, or raytracer.conf of the working folder where none was. Errors: UsageError.
 std::filesystem::path scene_file_or_config(const std::string& named);
 
+/// The device's choice where a structure for the CPU was asked for: the CPU. Errors: UsageError where it is "gpu".
+std::string device_for(std::optional<Acceleration> acceleration, const std::string& choice);
+
 /// The device of that choice. With "auto", a GPU that can't draw the scene gives way to the CPU, which is said on
 /// standard error. Errors: DeviceError.
-std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads);
+std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads,
+                                        Acceleration acceleration = Acceleration::embree);
 
 }  // namespace sundog::app

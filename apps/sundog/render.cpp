@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "console.h"
+#include "cost_picture.h"
 #include "import/import.h"
 #include "loading.h"
 #include "picture.h"
@@ -41,11 +42,26 @@ Size size_of(const Frame& frame) {
     return {static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)};
 }
 
+/// Structures are chosen for the CPU; only ours count their steps.
+void check_acceleration(RenderArguments& arguments) {
+    const bool ours = arguments.acceleration && *arguments.acceleration != Acceleration::embree;
+    if (arguments.show_cost && !ours)
+        throw UsageError("--show cost needs to know which structure's steps are meant; Embree hides its own",
+                         "add --accel bvh, kdtree, octree, grid, boxes or none");
+    if (arguments.show_cost && (arguments.frames || arguments.pixel))
+        throw UsageError("--show cost makes one picture: leave --frames and --pixel out",
+                         "--time says of which moment");
+    if (arguments.show_cost && (arguments.aovs.planes != 0 || arguments.aovs.samples))
+        throw UsageError("--show cost makes no further layers: leave --aov out");
+    arguments.device = device_for(arguments.acceleration, arguments.device);
+}
+
 int render(RenderArguments arguments) {
     if (arguments.preview && arguments.samples > 1)
         throw UsageError("--preview takes one sample a pixel", "leave --spp out");
     if (arguments.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
+    check_acceleration(arguments);
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
     // What can be known to fail is found out before the scene is read and
@@ -62,11 +78,13 @@ int render(RenderArguments arguments) {
     const scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
-    Session session(open_device_for(*compiled, arguments.device, arguments.threads));
+    Session session(open_device_for(*compiled, arguments.device, arguments.threads,
+                                    arguments.acceleration.value_or(Acceleration::embree)));
     session.load(compiled);
 
     const Stage stage{scene, *compiled, session};
     if (arguments.pixel) return print_pixel(arguments, stage);
+    if (arguments.show_cost) return render_cost(arguments, plan, stage);
     const bool one_picture = plan.target == Target::image || plan.target == Target::standard_output;
     return one_picture ? render_image(arguments, plan, stage) : render_frames(arguments, plan, stage);
 }
@@ -106,6 +124,16 @@ void add_render(CLI::App& program, Action& action) {
             "--threads", [&a](Text text) { a.threads = parse_int("--threads", text, 0, 1024); },
             "Threads on the CPU; 0 for all")
         ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--accel", [&a](Text text) { a.acceleration = parse_acceleration(text); },
+            "What finds hits on the CPU: embree (default), bvh, kdtree, octree, grid, boxes or none")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--show", [&a](Text text) { a.show_cost = parse_choice("--show", text, {"cost"}) == "cost"; },
+            "cost: instead of the picture, how many steps through the structure each pixel takes")
+        ->type_name("NAME");
     command
         ->add_option_function<std::string>(
             "--spp", [&a](Text text) { a.samples = parse_int("--spp", text, 1, 65536); }, "Samples a pixel (1)")

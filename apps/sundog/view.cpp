@@ -17,11 +17,14 @@ constexpr const char* kExamples =
 
 struct ViewArguments {
     std::string scene;
+    std::optional<Acceleration> acceleration;
     viewer::ViewOptions options;
 };
 
 int view(ViewArguments& arguments) {
     arguments.options.scene_file = scene_file_or_config(arguments.scene);
+    arguments.options.device = device_for(arguments.acceleration, arguments.options.device);
+    arguments.options.acceleration = arguments.acceleration.value_or(Acceleration::embree);
     WarningPrinter warnings;
     viewer::run(arguments.options, warnings.sink());
     return 0;
@@ -57,6 +60,11 @@ void add_view(CLI::App& program, Action& action) {
             "--threads", [&o](Text text) { o.threads = parse_int("--threads", text, 0, 1024); },
             "Threads on the CPU; 0 for all")
         ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--accel", [arguments](Text text) { arguments->acceleration = parse_acceleration(text); },
+            "What finds hits on the CPU: embree (default), bvh, kdtree, octree, grid, boxes or none")
+        ->type_name("NAME");
     command
         ->add_option_function<std::string>(
             "--max-depth", [&o](Text text) { o.max_depth = parse_int("--max-depth", text, 0, 10000); },

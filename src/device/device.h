@@ -23,6 +23,9 @@ struct RenderWork {
     std::uint32_t sample_count = 1;
     /// Of render_regions(): one for each of the film's pixels, 0 where a pixel keeps what it has; empty: all change.
     std::span<const std::uint8_t> wanted{};
+    /// One for each of the film's pixels, to which is added how many steps through the acceleration structure the
+    /// pixel's rays took. Counted by the CPU device with a structure of ours alone, and slowly; empty: not.
+    std::span<std::uint64_t> steps{};
 };
 
 /// A whole picture of one sample a pixel, of which not every pixel has to be traced (sampling/grid_refinement.h).
@@ -42,6 +45,10 @@ struct RenderStats {
     std::uint64_t shadow_rays = 0;  ///< Of them, shadow rays.
     std::uint64_t points = 0;       ///< Of refine(): points of the picture that were traced.
     bool complete = true;           ///< False if stopped early: some pixels of the region keep their old content.
+    /// Nodes, cells and boxes that rays visited, and primitives that they were tested against; 0 where the device
+    /// doesn't count them (Embree and GPUs). Rays of packets whose directions go apart may be asked, and counted,
+    /// twice; not so where RenderWork::steps are counted.
+    std::uint64_t visits = 0, tests = 0;
 };
 
 /// Who a device is.

@@ -48,10 +48,10 @@ std::string shown_name(const ViewOptions& options, const LoadedScene& loaded) {
 }
 
 /// The device opened at the start is handed out first; those chosen in the window later are opened then.
-DeviceOpener device_opener(std::unique_ptr<Device> first, int threads) {
+DeviceOpener device_opener(std::unique_ptr<Device> first, const ViewOptions& how) {
     auto waiting = std::make_shared<std::unique_ptr<Device>>(std::move(first));
-    return [waiting, threads](const std::string& choice) {
-        return *waiting ? std::move(*waiting) : open_device(choice, threads);
+    return [waiting, threads = how.threads, acceleration = how.acceleration](const std::string& choice) {
+        return *waiting ? std::move(*waiting) : open_device(choice, threads, acceleration);
     };
 }
 
@@ -115,11 +115,11 @@ private:
     RenderThread renderer_;  // last: it stops before what it wakes goes
 };
 
-RenderThreadOptions render_options(std::unique_ptr<Device> device, int threads, double refresh_hz) {
+RenderThreadOptions render_options(std::unique_ptr<Device> device, const ViewOptions& how, double refresh_hz) {
     const Uint32 wake_event = SDL_RegisterEvents(1);
     RenderThreadOptions options;
     options.target_frame_s = 1 / refresh_hz;
-    options.open_device = device_opener(std::move(device), threads);
+    options.open_device = device_opener(std::move(device), how);
     options.wake = [wake_event] {
         SDL_Event event{};
         event.type = wake_event;
@@ -138,7 +138,7 @@ Viewer::Viewer(const ViewOptions& options, std::shared_ptr<const LoadedScene> sc
       device_in_use_(device->info().kind),
       devices_(std::async(std::launch::async, device_choices)),
       step_began_s_(seconds_now()),
-      renderer_(render_options(std::move(device), options.threads, std::clamp(window_.refresh_hz(), 30.0, 60.0))) {
+      renderer_(render_options(std::move(device), options, std::clamp(window_.refresh_hz(), 30.0, 60.0))) {
     set_style(kFont_px);
     controls_.device = device_in_use_;
     controls_.max_depth = options.max_depth;
@@ -326,7 +326,7 @@ void Viewer::draw() {
 }  // namespace
 
 void run(const ViewOptions& options, const WarningSink& warn) {
-    auto device = open_device(options.device, options.threads);
+    auto device = open_device(options.device, options.threads, options.acceleration);
     auto scene = load_scene(options.scene_file);
     if (warn) {
         for (const Diagnostic& warning : scene->warnings) warn(warning);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "device/acceleration.h"
 
 namespace sundog::viewer {
 
@@ -15,6 +16,7 @@ struct ViewOptions {
     std::filesystem::path scene_file;
     std::string device = "auto";
     int threads = 0;
+    Acceleration acceleration = Acceleration::embree;  ///< On the CPU.
     std::optional<int> width, height;
     std::optional<int> max_depth;
     std::optional<float> min_weight;

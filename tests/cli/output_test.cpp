@@ -54,6 +54,25 @@ TEST(Output, SameBitsForAnyNumberOfThreads) {
     EXPECT_TRUE(one == read_bytes(folder / "5.exr"));
 }
 
+// Catches heat maps of steps that depend on threads, on which pixels share a packet, or on nothing at all.
+TEST(Output, CostPicturesAreTheSameForAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    for (const std::string threads : {"1", "3"}) {
+        const Outcome outcome =
+            run(with({"render", table_scene(), "-o", (folder / (threads + ".ppm")).string()},
+                     {"--size", "40x30", "--accel", "grid", "--show", "cost", "--threads", threads}));
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("acceleration grid; steps a pixel: "), std::string::npos) << outcome.err;
+    }
+    const std::string one = read_bytes(folder / "1.ppm");
+    EXPECT_TRUE(one == read_bytes(folder / "3.ppm"));
+    ASSERT_EQ(run(with({"render", table_scene(), "-o", (folder / "none.ppm").string()},
+                       {"--size", "40x30", "--accel", "none", "--show", "cost"}))
+                  .status,
+              0);
+    EXPECT_FALSE(one == read_bytes(folder / "none.ppm"));
+}
+
 // Catches news mixed into a picture on standard output.
 TEST(Output, StandardOutputIsThePictureAlone) {
     const Outcome outcome = run(with(small_render(table_scene(), "-"), {"--format", "ppm"}));

@@ -49,7 +49,7 @@ std::vector<DeviceListing> list_devices() {
     return listings;
 }
 
-std::unique_ptr<Device> open_device(std::string_view choice, int threads) {
+std::unique_ptr<Device> open_device(std::string_view choice, int threads, Acceleration acceleration) {
     if (choice != "cpu") {
         const bool asked_for = choice == "gpu";
         const Gpus gpus;
@@ -58,6 +58,7 @@ std::unique_ptr<Device> open_device(std::string_view choice, int threads) {
     }
     CpuOptions options;
     options.threads = threads;
+    options.acceleration = acceleration;
     return make_cpu_device(options);
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "device/acceleration.h"
 #include "device/device.h"
 
 namespace sundog {
@@ -22,7 +23,8 @@ struct DeviceListing {
 std::vector<DeviceListing> list_devices();
 
 /// choice: "cpu", "gpu" (hardware before software) or "auto" (a hardware GPU if there is one, else the CPU).
-/// threads: for the CPU, 0 for all. Errors: DeviceError, which says why there is no usable GPU.
-std::unique_ptr<Device> open_device(std::string_view choice, int threads);
+/// threads: for the CPU, 0 for all; acceleration: likewise. Errors: DeviceError, which says why there is no usable GPU.
+std::unique_ptr<Device> open_device(std::string_view choice, int threads,
+                                    Acceleration acceleration = Acceleration::embree);
 
 }  // namespace sundog

@@ -5,27 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vec.h"
+#include "device/accel/primitive_tests.h"
 #include "device/cpu/embree.h"
 
 namespace sundog::cpu {
 
-/// Hits so near to each other, relative to their distance, are at one place: single precision tells them apart by
-/// chance, pixel by pixel.
-inline constexpr float kCoincident = 1e-6F;
+using accel::kCoincident;
 
 /// How far to look for hits that may be at the place of the lane's hit, or nearer.
 inline float reach_of(RTCRayN* rays, unsigned n, unsigned lane) {
     return RTCRayN_tfar(rays, n, lane) * (1 + kCoincident);
 }
 
-/// Moves a box's sides out, so that a hit a little nearer on another surface doesn't hide what is in the box: as far as
-/// rounding goes for rays that come from about as far as the box reaches.
-inline void make_roomy(RTCBounds& b) {
-    const float reach = std::max({std::abs(b.lower_x), std::abs(b.lower_y), std::abs(b.lower_z), std::abs(b.upper_x),
-                                  std::abs(b.upper_y), std::abs(b.upper_z)});
-    const float room = 4 * kCoincident * std::min(reach, 1e6F);
-    b.lower_x -= room, b.lower_y -= room, b.lower_z -= room;
-    b.upper_x += room, b.upper_y += room, b.upper_z += room;
+inline RTCBounds rtc_bounds(const Bounds3& b) {
+    return {b.lower.x, b.lower.y, b.lower.z, 0, b.upper.x, b.upper.y, b.upper.z, 0};
 }
 
 /// Enters a hit of the geometry or instance `id` at `t` if it is nearer than the lane's, or at its place and before it

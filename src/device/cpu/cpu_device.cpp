@@ -18,6 +18,7 @@
 #include "device/cpu/grid_tile.h"
 #include "device/cpu/photons.h"
 #include "device/cpu/radiosity.h"
+#include "device/cpu/structure_scene.h"
 #include "device/cpu/tile_kernel.h"
 
 namespace sundog {
@@ -45,7 +46,8 @@ std::string processor_name() {
 
 class CpuDevice final : public Device {
 public:
-    explicit CpuDevice(const CpuOptions& options) : lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
+    explicit CpuDevice(const CpuOptions& options)
+        : acceleration_(options.acceleration), lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
         if (!__builtin_cpu_supports("sse4.2"))
             throw DeviceError("this processor lacks SSE4.2, which the CPU device needs");
         if (lanes_ != 4 && lanes_ != 8 && lanes_ != 16) throw DeviceError("the CPU device has 4, 8 or 16 lanes");
@@ -73,28 +75,35 @@ public:
         info_.kind = "cpu";
         info_.name = processor_name();
         info_.detail = std::to_string(threads) + (threads == 1 ? " thread, " : " threads, ") + instruction_set(lanes_) +
-                       " (" + std::to_string(lanes_) + " rays at a time), Embree " + RTC_VERSION_STRING;
+                       " (" + std::to_string(lanes_) + " rays at a time), " +
+                       (acceleration_ == Acceleration::embree ? "Embree " RTC_VERSION_STRING
+                                                              : "acceleration: " + std::string(name_of(acceleration_)));
         rtcSetDeviceMemoryMonitorFunction(device_.get(), count_memory, &bytes_);
     }
 
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
     [[nodiscard]] std::vector<std::string> unsupported(const RenderScene&) const override { return {}; }
-    [[nodiscard]] std::size_t memory_bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
+    [[nodiscard]] std::size_t memory_bytes() const override {
+        return structure_ ? structure_->memory_bytes() : static_cast<std::size_t>(bytes_.load());
+    }
 
     void load(std::shared_ptr<const RenderScene> scene) override {
         arena_.execute([&] {
             radiosity_.reset();
             photons_.reset();
             embree_.reset();
+            structure_.reset();
             scene_ = std::move(scene);
-            embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
+            if (acceleration_ == Acceleration::embree)
+                embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
+            else structure_ = std::make_unique<cpu::StructureScene>(device_.get(), acceleration_, *scene_);
         });
     }
 
     RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
-        Totals totals;
+        Totals totals(structure_.get());
         arena_.execute([&] {
-            embree_->update(frame);
+            traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             for_each_tile(work.region, kTileSide,
                           [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals); });
@@ -108,11 +117,11 @@ public:
 
     RenderStats refine(const Frame& frame, const RefinedWork& work, Film& film, const StopFlag& stop) override {
         if (!can_refine(frame) || !(work.tolerance > 0)) return Device::refine(frame, work, film, stop);
-        Totals totals;
+        Totals totals(structure_.get());
         arena_.execute([&] {
-            embree_->update(frame);
+            traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            kernel::SceneView view = cpu::view_of(*scene_, frame, embree_->handle());
+            kernel::SceneView view = cpu::view_of(*scene_, frame, traversal().handle());
             view.records = true;
             view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
             view.photons = photons_ ? photons_->photons.get() : nullptr;
@@ -124,9 +133,9 @@ public:
 
     RenderStats render_regions(const Frame& frame, std::span<const PixelRect> regions, RenderWork work, Film& film,
                                const StopFlag& stop) override {
-        Totals totals;
+        Totals totals(structure_.get());
         arena_.execute([&] {
-            embree_->update(frame);
+            traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             tbb::parallel_for(std::size_t{0}, regions.size(),
                               [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
@@ -137,9 +146,23 @@ public:
 private:
     /// What the threads of one call did together.
     struct Totals {
+        explicit Totals(const cpu::StructureScene* structure_) : structure(structure_) {
+            if (structure) before = structure->all_steps();
+        }
+        [[nodiscard]] RenderStats stats() const {
+            RenderStats stats{.rays = rays, .shadow_rays = shadow_rays, .points = points, .complete = complete};
+            if (structure) {
+                const accel::Steps now = structure->all_steps();
+                stats.visits = now.visits - before.visits;
+                stats.tests = now.tests - before.tests;
+            }
+            return stats;
+        }
+
+        const cpu::StructureScene* structure;  ///< Null: Embree.
+        accel::Steps before;
         std::atomic<std::uint64_t> rays{0}, shadow_rays{0}, points{0};
         std::atomic<bool> complete{true};
-        [[nodiscard]] RenderStats stats() const { return {rays, shadow_rays, points, complete}; }
     };
 
     /// The irradiance of one frame, kept for the further works on its picture.
@@ -187,7 +210,7 @@ private:
         photons_ = std::make_unique<PreparedPhotons>(PreparedPhotons{frame, nullptr});
         const Frame& kept = photons_->frame;
         photons_->photons = std::make_unique<cpu::Photons>(
-            *scene_, kept, cpu::view_of(*scene_, kept, embree_->handle()), photon_kernel_);
+            *scene_, kept, cpu::view_of(*scene_, kept, traversal().handle()), photon_kernel_);
         bool done = false;
         try {
             done = photons_->photons->prepare(stop);
@@ -210,7 +233,7 @@ private:
         if (radiosity_ && same_light(radiosity_->frame, frame)) return true;
         radiosity_ = std::make_unique<PreparedRadiosity>(PreparedRadiosity{frame, nullptr});
         const Frame& kept = radiosity_->frame;
-        kernel::SceneView view = cpu::view_of(*scene_, kept, embree_->handle());
+        kernel::SceneView view = cpu::view_of(*scene_, kept, traversal().handle());
         if (photons_) view.photons = photons_->photons.get();
         radiosity_->radiosity = std::make_unique<cpu::Radiosity>(kept, view, rays_);
         if (!radiosity_->radiosity->prepare(stop)) {
@@ -276,9 +299,33 @@ private:
             totals.complete = false;
             return;
         }
+        if (structure_ && !work.steps.empty()) count_steps(frame, tile, work, film, totals);
+        else run_kernel(frame, tile, work, film, totals);
+    }
+
+    /// Pixel by pixel, with all others of a packet left out. The picture is the same.
+    void count_steps(const Frame& frame, const PixelRect& tile, RenderWork work, Film& film, Totals& totals) const {
+        std::vector<std::uint8_t> wanted(film.radiance.size(), 0);
+        const std::span<const std::uint8_t> asked = work.wanted;
+        work.wanted = wanted;
+        for (int y = tile.y0; y < tile.y1; ++y)
+            for (int x = tile.x0; x < tile.x1; ++x) {
+                const std::size_t pixel = film.index(x, y);
+                if (!asked.empty() && asked[pixel] == 0) continue;
+                wanted[pixel] = 1;
+                const accel::Steps before = structure_->steps_of_this_thread();
+                run_kernel(frame, {x, y, x + 1, y + 1}, work, film, totals);
+                const accel::Steps now = structure_->steps_of_this_thread();
+                work.steps[pixel] += now.visits - before.visits + now.tests - before.tests;
+                wanted[pixel] = 0;
+            }
+    }
+
+    void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
+                    Totals& totals) const {
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
-            {*scene_, frame, embree_->handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
+            {*scene_, frame, traversal().handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
              radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
@@ -289,6 +336,11 @@ private:
         return true;
     }
 
+    [[nodiscard]] cpu::Traversal& traversal() const {
+        return embree_ ? static_cast<cpu::Traversal&>(*embree_) : *structure_;
+    }
+
+    Acceleration acceleration_;
     int lanes_;
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
@@ -301,7 +353,8 @@ private:
     std::atomic<std::int64_t> bytes_{0};  // outlives the Embree objects that count themselves off
     embree::Device device_;
     std::shared_ptr<const RenderScene> scene_;
-    std::unique_ptr<cpu::EmbreeScene> embree_;
+    std::unique_ptr<cpu::EmbreeScene> embree_;  // one of these two
+    std::unique_ptr<cpu::StructureScene> structure_;
     std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
     tbb::enumerable_thread_specific<std::unique_ptr<sampling::GridRefinement>> refinements_;

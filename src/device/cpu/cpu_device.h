@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The CPU device: Embree for traversal, oneTBB for tiles, the kernel compiled for 4, 8 and 16 lanes.
+// The CPU device: Embree (or a structure of ours) for traversal, oneTBB for tiles, the kernel compiled for 4, 8 and 16
+// lanes.
 #pragma once
 
 #include <memory>
 
+#include "device/acceleration.h"
 #include "device/device.h"
 
 namespace sundog {
@@ -12,6 +14,7 @@ namespace sundog {
 struct CpuOptions {
     int threads = 0;  ///< 0: all that the process may use.
     int lanes = 0;    ///< 4 (SSE4.2), 8 (AVX2) or 16 (AVX-512); 0: the widest this processor has.
+    Acceleration acceleration = Acceleration::embree;
 };
 
 /// Errors: DeviceError if `lanes` is more than the processor has.

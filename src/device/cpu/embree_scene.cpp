@@ -7,15 +7,16 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "base/vec3d.h"
+#include "device/accel/primitive_bounds.h"
+#include "device/accel/primitive_tests.h"
 #include "device/cpu/coincidence.h"
 #include "device/cpu/solid_callbacks.h"
-#include "kernel/shapes/box.h"
-#include "kernel/shapes/sphere.h"
 
 namespace sundog::cpu {
 namespace {
 
+using accel::hit_shape;
+using accel::material_of;
 using kernel::NONE;
 
 /// The placement as Embree takes it: a 3x4 matrix by columns.
@@ -23,18 +24,6 @@ std::array<float, 12> columns_of(const kernel::Instance& i) {
     return {i.world_from_object_x.x, i.world_from_object_x.y, i.world_from_object_x.z, i.world_from_object_y.x,
             i.world_from_object_y.y, i.world_from_object_y.z, i.world_from_object_z.x, i.world_from_object_z.y,
             i.world_from_object_z.z, i.world_from_object_t.x, i.world_from_object_t.y, i.world_from_object_t.z};
-}
-
-std::uint32_t material_of(const RenderScene& scene, const kernel::Geometry& geometry, std::uint32_t primitive) {
-    const std::uint32_t i = geometry.first_primitive + primitive;
-    switch (geometry.kind) {
-        case kernel::GEOMETRY_SPHERE:
-            return scene.spheres[i].material;
-        case kernel::GEOMETRY_BOX:
-            return scene.boxes[i].material;
-        default:
-            return scene.triangles[i].material;
-    }
 }
 
 bool culls(const GeometryData& data, std::uint32_t primitive) {
@@ -50,41 +39,6 @@ kernel::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
     ray.t_min = RTCRayN_tnear(rays, n, lane);
     ray.t_max = RTCRayN_tfar(rays, n, lane);
     return ray;
-}
-
-/// Spheres from this radius on are found in double: where a ray leaves a planet, numbers of floats are too coarse to
-/// tell that it does.
-constexpr float kLargeRadius = 1000;
-
-bool hit_large_sphere(const kernel::Sphere& sphere, const kernel::Ray& ray, float& t, kernel::real3& normal) {
-    const Vec3d direction{ray.direction.x, ray.direction.y, ray.direction.z};
-    const Vec3d from =
-        Vec3d{ray.origin.x, ray.origin.y, ray.origin.z} - Vec3d{sphere.center.x, sphere.center.y, sphere.center.z};
-    const double a = dot(direction, direction), b = dot(from, direction);
-    const double c = dot(from, from) - double{sphere.radius} * sphere.radius;
-    const double discriminant = b * b - a * c;
-    if (discriminant < 0) return false;
-    const double root = std::sqrt(discriminant);
-    const double q = b < 0 ? root - b : -root - b;
-    const double one = q == 0 ? 0 : c / q, other = q / a;
-    const auto near = static_cast<float>(std::min(one, other)), far = static_cast<float>(std::max(one, other));
-    t = near > ray.t_min && near < ray.t_max ? near : far;
-    const Vec3d out = from + direction * (t == near ? std::min(one, other) : std::max(one, other));
-    normal = kernel::real3(static_cast<float>(out.x), static_cast<float>(out.y), static_cast<float>(out.z));
-    return t > ray.t_min && t < ray.t_max;
-}
-
-/// The nearest hit with a sphere or box; false for none. With `culls`, a hit from behind is passed over: the front of a
-/// convex shape is never behind its back, so the ray then misses it altogether.
-bool hit_shape(const RenderScene& scene, const kernel::Geometry& geometry, std::uint32_t primitive,
-               const kernel::Ray& ray, bool culls, float& t, kernel::real3& normal) {
-    const std::uint32_t i = geometry.first_primitive + primitive;
-    const bool sphere = geometry.kind == kernel::GEOMETRY_SPHERE;
-    const bool found =
-        sphere && scene.spheres[i].radius >= kLargeRadius ? hit_large_sphere(scene.spheres[i], ray, t, normal)
-        : sphere ? kernel::intersect_sphere(ray, scene.spheres[i].center, scene.spheres[i].radius, t, normal)
-                 : kernel::intersect_box(ray, scene.boxes[i].lower, scene.boxes[i].upper, t, normal);
-    return found && !(culls && dot(normal, ray.direction) >= 0);
 }
 
 }  // namespace
@@ -208,18 +162,7 @@ void EmbreeScene::update(const Frame& frame) {
 
 void EmbreeScene::bounds_of(const RTCBoundsFunctionArguments* args) {
     const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    const std::uint32_t i = data.geometry.first_primitive + args->primID;
-    RTCBounds& b = *args->bounds_o;
-    if (data.geometry.kind == kernel::GEOMETRY_SPHERE) {
-        const kernel::Sphere& s = data.scene->spheres[i];
-        b.lower_x = s.center.x - s.radius, b.lower_y = s.center.y - s.radius, b.lower_z = s.center.z - s.radius;
-        b.upper_x = s.center.x + s.radius, b.upper_y = s.center.y + s.radius, b.upper_z = s.center.z + s.radius;
-    } else {
-        const kernel::Box& box = data.scene->boxes[i];
-        b.lower_x = box.lower.x, b.lower_y = box.lower.y, b.lower_z = box.lower.z;
-        b.upper_x = box.upper.x, b.upper_y = box.upper.y, b.upper_z = box.upper.z;
-    }
-    make_roomy(b);
+    *args->bounds_o = rtc_bounds(accel::roomy(accel::bounds_of(*data.scene, data.geometry, args->primID)));
 }
 
 void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {

@@ -8,19 +8,20 @@
 
 #include "device/cpu/embree.h"
 #include "device/cpu/geometry_data.h"
+#include "device/cpu/traversal.h"
 #include "device/render_scene.h"
 
 namespace sundog::cpu {
 
-class EmbreeScene {
+class EmbreeScene final : public Traversal {
 public:
     /// Builds over the scene, which must outlive this. Errors: DeviceError (out of memory).
     EmbreeScene(RTCDevice device, const RenderScene& scene);
 
-    /// Brings moving geometries to their places, and culling to what the frame says; commits if anything changed.
-    void update(const Frame& frame);
+    /// Commits if anything changed.
+    void update(const Frame& frame) override;
 
-    [[nodiscard]] RTCScene handle() const { return top_.get(); }
+    [[nodiscard]] RTCScene handle() const override { return top_.get(); }
 
 private:
     void add(std::uint32_t index);

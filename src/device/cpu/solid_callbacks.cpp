@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "device/cpu/solid_callbacks.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 
+#include "device/accel/primitive_bounds.h"
 #include "device/cpu/coincidence.h"
 #include "solids/compiled_solid.h"
 
 namespace sundog::cpu {
 namespace {
-
-constexpr double kFarthest = 1e12;
-
-/// The next float below (or above), so that rounding never cuts a box.
-float rounded_down(double v) {
-    return std::nextafter(static_cast<float>(std::clamp(v, -kFarthest, kFarthest)),
-                          -std::numeric_limits<float>::infinity());
-}
-float rounded_up(double v) { return -rounded_down(-v); }
 
 solids::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
     return {{RTCRayN_org_x(rays, n, lane), RTCRayN_org_y(rays, n, lane), RTCRayN_org_z(rays, n, lane)},
@@ -40,12 +31,8 @@ std::optional<solids::Hit> nearest(const GeometryData& data, RTCRayN* rays, unsi
 }  // namespace
 
 void solid_bounds(const RTCBoundsFunctionArguments* args) {
-    const Bounds3d bounds = static_cast<const GeometryData*>(args->geometryUserPtr)->solid->bounds();
-    RTCBounds& b = *args->bounds_o;
-    b.lower_x = rounded_down(bounds.lower.x), b.upper_x = rounded_up(bounds.upper.x);
-    b.lower_y = rounded_down(bounds.lower.y), b.upper_y = rounded_up(bounds.upper.y);
-    b.lower_z = rounded_down(bounds.lower.z), b.upper_z = rounded_up(bounds.upper.z);
-    make_roomy(b);
+    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
+    *args->bounds_o = rtc_bounds(accel::roomy(accel::bounds_of_solid(*data.solid)));
 }
 
 void intersect_solid(const RTCIntersectFunctionNArguments* args) {
