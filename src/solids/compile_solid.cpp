@@ -253,8 +253,8 @@ private:
                     const CompiledSolid::Node& child = out_->nodes_[node.first + i % node.count];
                     if (child.combination != Combination::leaf || child.inverted) continue;
                     const CompiledSolid::Leaf& leaf = out_->leaves_[child.first];
-                    const Bounds3d reach =
-                        leaf.shape->bounds_within(frame_from_world * inverse(leaf.shape_from_world), reach_of(bounds));
+                    const Bounds3d reach = leaf.shape->bounds_within(
+                        cleaned(frame_from_world * inverse(leaf.shape_from_world)), reach_of(bounds));
                     bounds.inside = common(bounds.inside, reach);
                     bounds.surface = common(bounds.surface, reach);
                 }

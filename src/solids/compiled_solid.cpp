@@ -259,12 +259,18 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
         return;
     }
     if (node.convex_clips && !node.inverted) {
-        Range clipped = range_of_clips(node, ray, range);
-        if (clipped.empty()) return;
-        const double end = clipped.upper;
-        nearest_event(node.first, ray, clipped, best);
-        if (clipped.upper < end) range.upper = std::min(range.upper, clipped.upper);
-        return;
+        const Range kept = range_of_clips(node, ray, range);
+        if (kept.empty()) return;
+        std::optional<Event> found = best;
+        Range search = widened(kept, ray, range);
+        nearest_event(node.first, ray, search, found);
+        if (!found || (best && found->crossing.t == best->crossing.t && found->leaf == best->leaf)) return;
+        if (is_off_ends(kept, range, ray, found->crossing.t)) {
+            best = found;
+            range.upper = std::min(range.upper, found->crossing.t + 2 * coincidence_tolerance(ray, found->crossing.t));
+            return;
+        }
+        // Where a face coincides with what it is clipped by, all events must be compared.
     }
     EventList list;
     if (node.combination == Combination::leaf) first_leaf_event(node, ray, range, list);
@@ -303,8 +309,12 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
         return found;
     }
     if (node.convex_clips && !node.inverted) {
-        range = range_of_clips(node, ray, range);
-        return !range.empty() && any_event(node.first, ray, range);
+        const Range kept = range_of_clips(node, ray, range);
+        if (kept.empty() || !any_event(node.first, ray, widened(kept, ray, range))) return false;
+        const auto shrunk = [&](double t, double by) { return t + by * 10 * coincidence_tolerance(ray, t); };
+        const Range sure{kept.lower == range.lower ? range.lower : shrunk(kept.lower, 1),
+                         kept.upper == range.upper ? range.upper : shrunk(kept.upper, -1)};
+        if (!sure.empty() && any_event(node.first, ray, sure)) return true;
     }
     if (node.combination == Combination::leaf) {
         const Leaf& leaf = leaves_[node.first];

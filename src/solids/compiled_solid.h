@@ -100,6 +100,12 @@ private:
     static constexpr double kCoincident = 1e-10;
     static double coincidence_tolerance(const Ray& ray, double t);
     static Range widened(Range part, const Ray& ray, Range whole);
+    /// Whether a place in `whole` does not coincide with an end of its part.
+    static bool is_off_ends(Range part, Range whole, const Ray& ray, double t) {
+        const double near = 10 * coincidence_tolerance(ray, t);
+        return (part.lower == whole.lower || t > part.lower + near) &&
+               (part.upper == whole.upper || t < part.upper - near);
+    }
 
     /// Whether the ray may meet the node: comes through its active box and its gate.
     [[nodiscard]] bool may_meet(const Node& node, const Ray& ray, Range range) const {

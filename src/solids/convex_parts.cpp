@@ -44,12 +44,9 @@ Range CompiledSolid::range_of_clips(const Node& node, const Ray& ray, Range rang
         CrossingList crossings;
         const bool starts_inside = leaf.shape->crossings(transform_ray(leaf.shape_from_world, ray), range, crossings);
         if (!starts_inside && crossings.empty()) return none;
-        // A surface in the plane that it is cut at stays.
         const Interval inside = interval_of(crossings, starts_inside, part.first, false);
-        const double lower = inside.lower.t(range.lower);
-        const double upper = inside.upper.t(range.upper);
-        range.lower = std::max(range.lower, lower - coincidence_tolerance(ray, lower));
-        range.upper = std::min(range.upper, upper + coincidence_tolerance(ray, upper));
+        range.lower = std::max(range.lower, inside.lower.t(range.lower));
+        range.upper = std::min(range.upper, inside.upper.t(range.upper));
     }
     return range;
 }

@@ -81,6 +81,69 @@ TEST(Csg, SlowChildrenAreAskedWhereTheyCount) {
     }
 }
 
+// Catches intervals of convex shapes that are put together another way than events of any shapes are: the same
+// children, each of them a union of one, take the other way. Among them faces that coincide, and cuts that leave
+// nothing.
+TEST(Csg, ConvexPartsAreWhatAnyPartsAre) {
+    const SolidPointer half_space = pointer_to(scene::HalfSpace{{0.6, 0.64, 0.48}, 0.2});
+    const SolidPointer block = pointer_to(scene::SolidBox{{-0.8, -0.5, -0.6}, {0.8, 0.5, 0.6}});
+    const SolidPointer notch = pointer_to(scene::SolidBox{{-0.8, 0, -0.6}, {0.2, 0.5, 0.3}});
+    const SolidPointer cone = pointer_to(scene::SolidCone{{0, -1, 0}, {0.2, 1, 0.1}, 0.7, 0});
+    const SolidPointer pipe = pointer_to(scene::Polynomial{2, {{2, 0, 0, 1.0}, {0, 0, 2, 1.0}, {0, 0, 0, -0.16}}});
+    const std::vector<std::vector<SolidPointer>> groups{
+        {kA, kB},
+        {block, inverted(kB)},
+        {block, inverted(notch), inverted(pipe)},
+        {kA, half_space, inverted(cone), inverted(notch)},
+        {inverted(block), kA},
+        {inverted(kA), inverted(block)},
+        {cone, half_space, inverted(pipe)},
+    };
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        SCOPED_TRACE(i);
+        std::vector<SolidPointer> unions;
+        for (const SolidPointer& child : groups[i]) unions.push_back(united({child}));
+        expect_same(intersected(groups[i]), intersected(unions), 60 + static_cast<unsigned>(i));
+        const auto clipped = [](const std::vector<SolidPointer>& children) {
+            auto solid = std::make_shared<scene::Solid>(*united({children[0]}));
+            solid->clipped_by.assign(children.begin() + 1, children.end());
+            return SolidPointer(solid);
+        };
+        std::vector<SolidPointer> slow = unions;
+        slow[0] = groups[i][0];
+        expect_same(clipped(groups[i]), clipped(slow), 80 + static_cast<unsigned>(i));
+    }
+}
+
+// Catches quadrics without an end that nobody bounds, and bounds that cut them: each ray would ask them, or miss them.
+TEST(Csg, QuadricsAreBoundedByWhatCutsThem) {
+    const SolidPointer above = pointer_to(scene::HalfSpace{{0, -1, 0}, 0.5});
+    const SolidPointer below = pointer_to(scene::HalfSpace{{0, 1, 0}, 2});
+    const auto quadric = [](double y_squared, double y, double constant) {
+        return pointer_to(scene::Polynomial{
+            2, {{2, 0, 0, 1.0}, {0, 2, 0, y_squared}, {0, 0, 2, 1.0}, {0, 1, 0, y}, {0, 0, 0, constant}}});
+    };
+    struct Case {
+        SolidPointer solid;
+        double radius;  ///< The largest between the planes.
+    };
+    const Case cases[] = {{quadric(-1, 0, -1), std::sqrt(5.0)},  // hyperboloid
+                          {quadric(-1, 0, 0), 2},                // cone
+                          {quadric(0, -1, 0), std::sqrt(2.0)},   // paraboloid
+                          {quadric(0, 0, -0.25), 0.5}};          // cylinder
+    for (const Case& c : cases) {
+        const auto upright = compile_solid(*intersected({c.solid, above, below}), 0);
+        EXPECT_NEAR(c.radius, upright->bounds().upper.x, 1e-4);
+        EXPECT_NEAR(-c.radius, upright->bounds().lower.z, 1e-4);
+        EXPECT_NEAR(2, upright->bounds().upper.y, 1e-4);
+        const SolidPointer slanted =
+            moved(intersected({above, c.solid, below}), turned(normalize(Vec3d{1, 2, -1}), 0.8, {0.3, 0.2, -0.1}));
+        const auto compiled = compile_solid(*slanted, 0);
+        EXPECT_LT(compiled->bounds().upper.x - compiled->bounds().lower.x, 4 * c.radius + 4);
+        expect_solid_properties(*slanted, 95, {.reach = 4});
+    }
+}
+
 // Catches bounds that cut a shape without an end instead of letting rays pass by it, and such that act on others.
 TEST(Csg, RaysThatPassByBoundsDontMeetWhatHasNoEnd) {
     const auto bounded = [](const SolidPointer& what) {

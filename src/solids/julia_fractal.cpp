@@ -104,9 +104,10 @@ private:
             h = quaternion_next(h);
             size = solids::squared(h);
         }
+        const bool inside = size <= kEscape * kEscape;
         size = std::sqrt(size);
         const double slope = std::sqrt(squared_slope);
-        if (size <= kEscape) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
+        if (inside) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
         // By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
         const double potential = std::log(size);
         return {false, size * (potential - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
@@ -153,9 +154,11 @@ private:
             u = ur * ur + ui * ui;
             v = vr * vr + vi * vi;
         }
+        // Not told by the root, which rounds what is just outside to the border.
+        const bool inside = 0.5 * (u + v) <= kEscape * kEscape;
         const double size = std::sqrt(0.5 * (u + v));
         const double slope = std::sqrt(squared_slope);
-        if (size <= kEscape) return {true, (kEscape - size) / slope};
+        if (inside) return {true, (kEscape - size) / slope};
         // By the potential, as in quaternion_probe().
         return {false, size * (std::log(size) - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
     }

@@ -101,6 +101,25 @@ TEST(JuliaFractal, PowersOfNothingAreBalls) {
     EXPECT_NEAR(5 - std::pow(4, 1.0 / 9), hits[0].t, 1e-9);
 }
 
+// Catches points a rounding beyond the ball of radius 4 that are taken for inside: specks all around.
+TEST(JuliaFractal, NothingLiesOnTheBallAround) {
+    scene::JuliaFractal fractal;
+    fractal.parameter = {-0.745, 0, 0.113, 0.05};
+    fractal.max_iteration = 9;
+    fractal.hypercomplex = true;
+    const auto solid = compile_solid(solid_of(fractal), 0);
+    RandomRays random(7);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Ray ray{{random.number(-4, 4), random.number(-4, 4), 6}, {0, 0, -1}};
+        if (const std::optional<Hit> hit = solid->nearest(ray, {})) {
+            ++hits;
+            EXPECT_LT(length(ray.at(hit->t)), 3.5);
+        }
+    }
+    EXPECT_GT(hits, 20);
+}
+
 // Catches a slice that isn't where its distance says, and an unscaled normal.
 TEST(JuliaFractal, ASliceIsADistanceFromTheOrigin) {
     scene::JuliaFractal fractal;
