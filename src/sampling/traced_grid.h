@@ -98,15 +98,19 @@ public:
     }
 
     /// True if the points at all four corners remember the same and look alike. Between points two pixels apart hardly
-    /// anything hides: there only the outlines of what the eye sees must be the same, so that edges of shadows and of
-    /// what mirrors show may be two pixels soft where they are faint.
+    /// anything hides: there edges of highlights, and faint ones of shadows and of what mirrors show, may be two pixels
+    /// soft; the outlines of what the eye itself sees never are.
     [[nodiscard]] bool agree(int x, int y, int step, const RefinementQuality& quality) const {
         const int a = index(x, y), b = a + step, c = index(x, y + step), d = c + step;
         if (signature_[a] == 0 || signature_[b] == 0 || signature_[c] == 0 || signature_[d] == 0) return false;
         const auto same = [&](const std::uint32_t* of) { return of[a] == of[b] && of[a] == of[c] && of[a] == of[d]; };
-        if (step > 2 ? !(same(signature_) && same(highlights_)) : !same(outline_)) return false;
+        const bool same_all = same(signature_);
+        if (step > 2 ? !(same_all && same(highlights_)) : !(same_all || same(outline_))) return false;
+        // What bilinear interpolation misses grows with the square of the step, the difference of the ends with the
+        // step: smaller squares may differ by more for the same error.
+        const float times = same_all ? static_cast<float>(kSquareSide) / static_cast<float>(step) : 1;
         return look_alike(least(least(seen_[a], seen_[b]), least(seen_[c], seen_[d])),
-                          most(most(seen_[a], seen_[b]), most(seen_[c], seen_[d])), step, quality);
+                          most(most(seen_[a], seen_[b]), most(seen_[c], seen_[d])), times * quality.tolerance);
     }
 
     [[nodiscard]] Float4 light(int x, int y) const { return light_[index(x, y)]; }
@@ -122,10 +126,7 @@ private:
     static Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
     static Float4 most(Float4 a, Float4 b) { return a > b ? a : b; }
 
-    static bool look_alike(Float4 low, Float4 high, int step, const RefinementQuality& quality) {
-        // What bilinear interpolation misses grows with the square of the step, the difference of the ends with the
-        // step: smaller squares may differ by more for the same error.
-        const float most_apart = quality.tolerance * (static_cast<float>(kSquareSide) / static_cast<float>(step));
+    static bool look_alike(Float4 low, Float4 high, float most_apart) {
         const Float4 apart = high - low;
         // Written so that NaN isn't like anything.
         return apart[0] <= most_apart && apart[1] <= most_apart && apart[2] <= most_apart && apart[3] <= most_apart;

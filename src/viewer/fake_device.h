@@ -22,6 +22,7 @@ struct FakeDeviceControl {
     std::atomic<int> full_renders{0};  ///< Of them, of kLarge pixels' width.
     std::atomic<bool> endless{false};  ///< render() of kLarge only returns when stopped.
     std::atomic<bool> broken{false};   ///< render() throws.
+    std::atomic<bool> refines{false};  ///< can_refine() says so; refine() renders all the same.
 };
 
 /// Sample s of a pixel is (eye.x, s, 0), of object 7.
@@ -52,8 +53,10 @@ public:
         }
         while (full && control_->endless && !stop.requested()) {
         }
-        return {100, 0, !(full && control_->endless)};
+        return {.rays = 100, .complete = !(full && control_->endless)};
     }
+
+    [[nodiscard]] bool can_refine(const Frame&) const override { return control_->refines; }
 
 private:
     DeviceInfo info_;

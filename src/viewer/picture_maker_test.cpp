@@ -76,6 +76,19 @@ TEST_F(PictureMakerTest, AStoppedPassDoesNotCount) {
     EXPECT_FLOAT_EQ(maker_.full_image(stop_).value().at(5, 5).y, 1.5F);
 }
 
+// Catches interpolated pixels that stay in the picture at rest.
+TEST_F(PictureMakerTest, AnInterpolatedPictureIsTracedAnew) {
+    control_->refines = true;
+    maker_.set_request(fake_request(scene_, 1));
+    maker_.render_quickly(stop_);
+    EXPECT_EQ(maker_.samples(), 1U);
+    ASSERT_TRUE(maker_.can_refine());
+    ASSERT_TRUE(maker_.refine(stop_));
+    EXPECT_EQ(maker_.samples(), 1U);
+    ASSERT_TRUE(maker_.refine(stop_));
+    EXPECT_EQ(maker_.samples(), 2U);
+}
+
 // Catches a change of exposure that throws the samples away.
 TEST_F(PictureMakerTest, ExposureKeepsTheSamples) {
     maker_.set_request(fake_request(scene_, 0.5F));
