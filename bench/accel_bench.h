@@ -29,11 +29,11 @@ struct AccelTiming {
     std::string scene;
     std::size_t primitives = 0;
     Acceleration structure{};
-    double build_s = 0;     ///< On one thread, but bvh and embree on all.
-    std::size_t bytes = 0;  ///< Beside the scene's own arrays.
-    double visits = 0;      ///< Nodes, cells and boxes a ray.
-    double tests = 0;       ///< Primitives tested a ray.
-    double rays_per_second = 0;
+    double build_s = 0;          ///< Processor seconds.
+    std::size_t bytes = 0;       ///< Beside the scene's own arrays.
+    double visits = 0;           ///< Nodes, cells and boxes a ray.
+    double tests = 0;            ///< Primitives tested a ray.
+    double rays_per_second = 0;  ///< A processor second.
 };
 
 struct AccelReport {
