@@ -20,7 +20,7 @@ auto& lane_of(real& value, std::size_t lane) { return reinterpret_cast<std::arra
 
 }  // namespace
 
-void SUNDOG_KERNEL_PASTE(call_lanes_,
+void SUNDOG_KERNEL_PASTE(call_lanes_, ,
                          SUNDOG_KERNEL_LANES)(const RenderScene& render_scene, const Frame& frame,
                                               std::uint32_t function, std::span<const UniformValues> uniforms,
                                               std::span<const CallValues> arguments, std::span<CallValues> results) {
