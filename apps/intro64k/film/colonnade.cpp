@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "film/scenes.h"
+#include "stage/curves.h"
+#include "stage/palettes.h"
+
+namespace sundog::intro {
+
+using namespace kernel;
+
+void colonnade(World& world, const Moment& now) {
+    Builder builder(world);
+    const float t = now.seconds;
+    world.bounces = 2;
+    world.vignette = 0.5F;
+    world.ambient_up = vec3(0.10F, 0.12F, 0.20F);
+    world.ambient_down = vec3(0.09F, 0.065F, 0.05F);
+    world.fog = 0.012F;
+    world.fog_color = vec3(0.10F, 0.14F, 0.26F);
+    world.sky.zenith = vec3(0.02F, 0.035F, 0.10F);
+    world.sky.horizon = vec3(0.16F, 0.22F, 0.40F);
+
+    Texture tiles{};
+    tiles.stripes = vec3(0.35F, 0.21F, 0);
+    tiles.noise_scale = vec3(0.11F, 0.11F, 0.11F);
+    tiles.noise = 4.5F;
+    tiles.tiles = 0.5F;
+    tiles.palette = kMarbleTiles;
+    Material floor{};
+    floor.texture = builder.texture(tiles);
+    floor.diffuse = vec3(0.8F, 0.8F, 0.8F);
+    floor.highlight = 0.5F;
+    floor.shininess = 90;
+    floor.mirror = vec3(0.10F, 0.10F, 0.10F);
+    floor.mirror_edge = 0.7F;
+    builder.plane(vec3(0, 0, 1), 0, builder.material(floor));
+
+    Texture marble{};
+    marble.stripes = vec3(0.5F, 0.3F, 0.22F);
+    marble.noise_scale = vec3(0.14F, 0.14F, 0.09F);
+    marble.noise = 4;
+    marble.palette = kWhiteMarble;
+    Material white{};
+    white.texture = builder.texture(marble);
+    white.diffuse = vec3(0.9F, 0.88F, 0.84F);
+    white.highlight = 0.25F;
+    white.shininess = 40;
+    const uint column = builder.material(white);
+
+    Texture sandstone{};
+    sandstone.stripes = vec3(0, 0, 0.8F);
+    sandstone.noise_scale = vec3(0.2F, 0.2F, 0.4F);
+    sandstone.noise = 2.5F;
+    sandstone.palette = kSandstone;
+    Material wall{};
+    wall.texture = builder.texture(sandstone);
+    wall.diffuse = vec3(0.8F, 0.8F, 0.8F);
+    const uint arches = builder.material(wall);
+
+    // Two rows of columns under two walls, into which arches are cut.
+    for (uint side = 0; side < 2; ++side) {
+        const float x = side == 0 ? -4.0F : 4.0F;
+        for (uint i = 0; i < 5; ++i) {
+            const float y = static_cast<float>(i) * 6.0F;
+            builder.cylinder(vec3(x, y, 0), 4.2F, 0.55F, column);
+            builder.torus({vec3(x, y, 0.18F)}, 0.6F, 0.18F, column);
+        }
+        builder.carve({vec3(x, 12, 0)}, vec3(0, 0, 6), 16.5F, arches)
+            .block(vec3(0, 0, 5.9F), vec3(0.62F, 15, 1.7F))
+            .without()
+            .tube(0, vec3(0, -9, 4.2F), 2.3F)
+            .tube(0, vec3(0, -3, 4.2F), 2.3F)
+            .tube(0, vec3(0, 3, 4.2F), 2.3F)
+            .tube(0, vec3(0, 9, 4.2F), 2.3F);
+    }
+    // At the end, a niche with a golden ball before a disc of light.
+    Material gold{};
+    gold.diffuse = vec3(0.25F, 0.14F, 0.04F);
+    gold.highlight = 1;
+    gold.shininess = 60;
+    gold.mirror = vec3(0.68F, 0.46F, 0.2F);
+    gold.mirror_edge = 1;
+    const uint golden = builder.material(gold);
+    builder.cylinder(vec3(0, 18, 0), 1.0F, 0.9F, column);
+    builder.sphere(vec3(0, 18, 1.9F + 0.08F * std::sin(t * 2)), 0.85F, golden);
+    builder.torus(turned(vec3(0, 18, 1.9F), 0, 1.2F, t * 0.8F), 1.35F, 0.09F, golden);
+
+    // Will-o'-the-wisps weave between the columns, brighter on the beat.
+    Material spark{};
+    const vec3 colors[] = {vec3(1.0F, 0.52F, 0.18F), vec3(0.22F, 0.46F, 1.0F), vec3(1.0F, 0.2F, 0.42F)};
+    for (uint i = 0; i < 3; ++i) {
+        const float phase = t * 0.55F + static_cast<float>(i) * 2.1F;
+        const vec3 place(5.2F * std::sin(phase), 9 + 9 * std::sin(phase * 0.53F + static_cast<float>(i)),
+                         2.0F + 0.9F * std::sin(phase * 1.7F));
+        const float bright = 1 + 0.5F * pulse(now.beats + static_cast<float>(i), 3);
+        spark.emission = colors[i] * (3 * bright);
+        builder.sphere(place, 0.1F, builder.material(spark));
+        builder.shadowless();
+        builder.lamp(place, colors[i] * (3.0F * bright), 3.2F, 0.06F * bright);
+    }
+
+    constexpr Key kEye[] = {{0, vec3(-7.5F, -6, 2.0F)}, {4, vec3(-1.5F, -5, 1.2F)}, {8, vec3(1.6F, 1, 1.5F)},
+                            {12, vec3(2.0F, 8, 2.9F)}, {16, vec3(-2.0F, 12.5F, 1.6F)}};
+    constexpr Key kAt[] = {{0, vec3(0, 6, 2.4F)}, {4, vec3(0.5F, 12, 2.2F)}, {8, vec3(-0.5F, 18, 2.2F)},
+                           {12, vec3(0, 18, 2.0F)}, {16, vec3(0, 18, 1.9F)}};
+    builder.camera(spline(kEye, t), spline(kAt, t), 1.0F, now.aspect, 0.05F * std::sin(t * 0.45F));
+}
+
+}  // namespace sundog::intro
