@@ -14,16 +14,16 @@ void carvings(World& world, const Moment& now) {
     const float t = now.seconds;
     world.bounces = 2;
     world.vignette = 0.45F;
-    world.ambient_up = vec3(0.22F, 0.24F, 0.28F);
+    world.ambient_up = vec3(0.13F, 0.15F, 0.22F);
     world.ambient_down = vec3(0.14F, 0.10F, 0.08F);
-    world.fog = 0.014F;
-    world.fog_color = vec3(0.40F, 0.36F, 0.36F);
-    world.sky.zenith = vec3(0.16F, 0.22F, 0.34F);
-    world.sky.horizon = vec3(0.62F, 0.54F, 0.50F);
+    world.fog = 0.02F;
+    world.fog_color = vec3(0.50F, 0.27F, 0.21F);
+    world.sky.zenith = vec3(0.05F, 0.08F, 0.16F);
+    world.sky.horizon = vec3(0.80F, 0.42F, 0.30F);
 
     Material ground{};
-    ground.diffuse = vec3(0.30F, 0.28F, 0.27F);
-    ground.mirror = vec3(0.06F, 0.06F, 0.06F);
+    ground.diffuse = vec3(0.17F, 0.15F, 0.17F);
+    ground.mirror = vec3(0.09F, 0.09F, 0.09F);
     ground.mirror_edge = 0.6F;
     builder.plane(vec3(0, 0, 1), 0, builder.material(ground));
 

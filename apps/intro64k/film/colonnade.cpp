@@ -14,12 +14,12 @@ void colonnade(World& world, const Moment& now) {
     const float t = now.seconds;
     world.bounces = 2;
     world.vignette = 0.5F;
-    world.ambient_up = vec3(0.10F, 0.12F, 0.20F);
-    world.ambient_down = vec3(0.09F, 0.065F, 0.05F);
-    world.fog = 0.012F;
-    world.fog_color = vec3(0.10F, 0.14F, 0.26F);
-    world.sky.zenith = vec3(0.02F, 0.035F, 0.10F);
-    world.sky.horizon = vec3(0.16F, 0.22F, 0.40F);
+    world.ambient_up = vec3(0.045F, 0.06F, 0.12F);
+    world.ambient_down = vec3(0.05F, 0.035F, 0.03F);
+    world.fog = 0.02F;
+    world.fog_color = vec3(0.025F, 0.04F, 0.10F);
+    world.sky.zenith = vec3(0.006F, 0.01F, 0.035F);
+    world.sky.horizon = vec3(0.04F, 0.065F, 0.15F);
 
     Texture tiles{};
     tiles.stripes = vec3(0.35F, 0.21F, 0);
@@ -61,18 +61,17 @@ void colonnade(World& world, const Moment& now) {
     // Two rows of columns under two walls, into which arches are cut.
     for (uint side = 0; side < 2; ++side) {
         const float x = side == 0 ? -4.0F : 4.0F;
-        for (uint i = 0; i < 5; ++i) {
+        for (uint i = 0; i < 4; ++i) {
             const float y = static_cast<float>(i) * 6.0F;
             builder.cylinder(vec3(x, y, 0), 4.2F, 0.55F, column);
-            builder.torus({vec3(x, y, 0.18F)}, 0.6F, 0.18F, column);
+            builder.box(vec3(x, y, 0.15F), vec3(0.75F, 0.75F, 0.15F), column);
         }
-        builder.carve({vec3(x, 12, 0)}, vec3(0, 0, 6), 16.5F, arches)
-            .block(vec3(0, 0, 5.9F), vec3(0.62F, 15, 1.7F))
+        builder.carve({vec3(x, 9, 0)}, vec3(0, 0, 6), 12.6F, arches)
+            .block(vec3(0, 0, 5.9F), vec3(0.62F, 12, 1.7F))
             .without()
-            .tube(0, vec3(0, -9, 4.2F), 2.3F)
-            .tube(0, vec3(0, -3, 4.2F), 2.3F)
-            .tube(0, vec3(0, 3, 4.2F), 2.3F)
-            .tube(0, vec3(0, 9, 4.2F), 2.3F);
+            .tube(0, vec3(0, -6, 4.2F), 2.3F)
+            .tube(0, vec3(0, 0, 4.2F), 2.3F)
+            .tube(0, vec3(0, 6, 4.2F), 2.3F);
     }
     // At the end, a niche with a golden ball before a disc of light.
     Material gold{};
@@ -97,7 +96,7 @@ void colonnade(World& world, const Moment& now) {
         spark.emission = colors[i] * (3 * bright);
         builder.sphere(place, 0.1F, builder.material(spark));
         builder.shadowless();
-        builder.lamp(place, colors[i] * (3.0F * bright), 3.2F, 0.06F * bright);
+        builder.lamp(place, colors[i] * (3.0F * bright), 3.2F, 0.012F * bright);
     }
 
     constexpr Key kEye[] = {{0, vec3(-7.5F, -6, 2.0F)}, {4, vec3(-1.5F, -5, 1.2F)}, {8, vec3(1.6F, 1, 1.5F)},

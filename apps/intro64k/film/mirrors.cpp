@@ -17,9 +17,9 @@ void mirrors(World& world, const Moment& now) {
     world.ambient_up = vec3(0.08F, 0.08F, 0.10F);
     world.ambient_down = vec3(0.06F, 0.06F, 0.08F);
     world.fog = 0.022F;
-    world.fog_color = vec3(0.02F, 0.03F, 0.06F);
-    world.sky.zenith = vec3(0.01F, 0.01F, 0.03F);
-    world.sky.horizon = vec3(0.05F, 0.06F, 0.12F);
+    world.fog_color = vec3(0.012F, 0.014F, 0.035F);
+    world.sky.zenith = vec3(0.004F, 0.004F, 0.012F);
+    world.sky.horizon = vec3(0.02F, 0.02F, 0.05F);
 
     // A floor of tiles between two mirrors that face each other.
     Texture tiles{};
@@ -95,7 +95,7 @@ void mirrors(World& world, const Moment& now) {
         bulb.emission = lights[i] * 3;
         builder.sphere(place, 0.13F, builder.material(bulb));
         builder.shadowless();
-        builder.lamp(place, lights[i] * (2.6F + 0.7F * pulse(now.beats, 3)), 4.2F, 0.05F);
+        builder.lamp(place, lights[i] * (2.6F + 0.7F * pulse(now.beats, 3)), 4.2F, 0.008F);
     }
     constexpr Key kEye[] = {{0, vec3(3.8F, -4.6F, 3.4F)}, {5, vec3(1.6F, -5.3F, 2.2F)}, {10, vec3(-3.4F, -5.0F, 1.4F)},
                             {16, vec3(-4.4F, -3.4F, 3.2F)}};

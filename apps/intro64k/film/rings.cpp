@@ -16,10 +16,10 @@ void rings(World& world, const Moment& now) {
     world.vignette = 0.6F;
     world.ambient_up = vec3(0.07F, 0.07F, 0.09F);
     world.ambient_down = vec3(0.07F, 0.045F, 0.03F);
-    world.fog = 0.016F;
-    world.fog_color = vec3(0.05F, 0.035F, 0.03F);
-    world.sky.zenith = vec3(0.03F, 0.02F, 0.03F);
-    world.sky.horizon = vec3(0.10F, 0.06F, 0.05F);
+    world.fog = 0.03F;
+    world.fog_color = vec3(0.03F, 0.02F, 0.024F);
+    world.sky.zenith = vec3(0.006F, 0.006F, 0.012F);
+    world.sky.horizon = vec3(0.035F, 0.022F, 0.025F);
 
     Texture wood{};
     wood.rings = 1.6F;
@@ -69,9 +69,9 @@ void rings(World& world, const Moment& now) {
     star.emission = vec3(3.0F, 2.3F, 1.4F) * bright;
     builder.sphere(middle, 0.32F + 0.05F * pulse(now.beats, 2.5F), builder.material(star));
     builder.shadowless();
-    builder.lamp(middle, vec3(2.9F, 2.1F, 1.25F) * bright, 3.6F, 0.11F * bright);
+    builder.lamp(middle, vec3(2.9F, 2.1F, 1.25F) * bright, 3.4F, 0.018F * bright);
     // A cool light from a window far away.
-    builder.spot(vec3(-9, -7, 11), vec3(0, 0.5F, 0), vec3(0.30F, 0.42F, 0.8F), 0.42F, 0.5F);
+    builder.spot(vec3(-9, -7, 11), vec3(0, 0.5F, 0), vec3(0.22F, 0.36F, 0.85F), 0.42F, 0.6F);
 
     // Onlookers: balls that roll around it, and a carved bowl.
     for (uint i = 0; i < 5; ++i) {

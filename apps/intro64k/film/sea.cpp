@@ -24,19 +24,18 @@ void place_sun(Sky& sky, float azimuth, float elevation) {
 void open_sea(Builder& builder, World& world, const Moment& now) {
     Texture clouds{};
     clouds.noise_scale = vec3(0.085F, 0.16F, 0.085F);
-    clouds.noise = 1.0F;
-    clouds.stripes = vec3(0, 0, 0);
+    clouds.noise = 1.15F;
+    // The middle of the palette where noise is at its mean.
+    clouds.stripes = vec3(0, 0, 0.5F / 3.1F);
     clouds.palette = kClouds;
     clouds.shift = vec3(now.seconds * 0.02F, now.seconds * 0.012F, 3.1F);
     world.sky.texture = builder.texture(clouds);
 
     Material water{};
-    water.diffuse = vec3(0.004F, 0.02F, 0.03F);
     water.mirror = vec3(0.03F, 0.035F, 0.04F);
     water.mirror_edge = 1;
-    water.highlight = 0.6F;
-    water.shininess = 160;
-    water.waves = 1.1F;
+    water.emission = vec3(0.004F, 0.016F, 0.026F);
+    water.waves = 0.4F;
     builder.plane(vec3(0, 0, 1), 0, builder.material(water));
     world.bounces = 2;
     world.vignette = 0.35F;

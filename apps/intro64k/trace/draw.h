@@ -15,6 +15,7 @@ DrawTile draw_tile_by_4();
 DrawTile draw_tile_by_8();   ///< Needs AVX2 and FMA.
 DrawTile draw_tile_by_16();  ///< Needs AVX-512 F, BW, DQ and VL.
 
+/// Needs AVX2 as well.
 /// Fills the slices [first, last) of the noise volume (trace/noise_volume.h), which has kVolumeVoxels.
 void make_noise(uint* voxels, uint first, uint last);
 

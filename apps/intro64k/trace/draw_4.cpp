@@ -6,6 +6,4 @@ namespace sundog::intro {
 
 DrawTile draw_tile_by_4() { return draw_tile; }
 
-void make_noise(uint* voxels, uint first, uint last) { make_noise_slices(voxels, first, last); }
-
 }  // namespace sundog::intro

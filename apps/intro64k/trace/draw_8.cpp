@@ -6,4 +6,6 @@ namespace sundog::intro {
 
 DrawTile draw_tile_by_8() { return draw_tile; }
 
+void make_noise(uint* voxels, uint first, uint last) { make_noise_slices(voxels, first, last); }
+
 }  // namespace sundog::intro

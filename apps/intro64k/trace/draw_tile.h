@@ -14,6 +14,8 @@ inline void paint_traced(const Picture& picture, const TileWork& work, uint tile
 
 inline void draw_tile(const World& world, const Tables& tables, const Quality& quality, const Picture& picture,
                       TileWork& work, uint tile_x, uint tile_y) {
+    // Numbers too small for a float's usual form are noughts: they can't be seen, and cost a hundred times as much.
+    _mm_setcsr(_mm_getcsr() | 0x8040U);
     const View view{&world, &tables, static_cast<float>(picture.width), static_cast<float>(picture.height)};
     find_visible(view, work, tile_x, tile_y);
     for (unsigned char& known : work.known) known = 0;
@@ -39,7 +41,7 @@ inline void draw_tile(const World& world, const Tables& tables, const Quality& q
             const Spot at = work.squares[now][i].at;
             const Corners corners = corners_of(work, at, size);
             const bool hides = size > 2 && work.small[at.y / 8][at.x / 8] != 0;
-            if (!hides && corners_agree(corners, quality.tolerance)) {
+            if (!hides && corners_agree(corners, size, quality.tolerance)) {
                 fill_square(view, picture, corners, tile_x + at.x, tile_y + at.y, size);
                 continue;
             }

@@ -158,6 +158,7 @@ FN void quadratic_interval(real a, real b, real c, OUT(real) enter, OUT(real) le
 
 /// True in lanes whose rays come near enough to a solid to be tried on it.
 FN mask may_hit(const Solid& s, const Ray& ray) {
+    if (s.kind == SolidKind::kPlane) return mask(true);
     real3 f = real3(s.middle) - ray.origin;
     real b = dot(f, ray.direction);
     real c = dot(f, f) - s.radius * s.radius;
@@ -169,7 +170,7 @@ FN mask may_hit(const Solid& s, const Ray& ray) {
     return mask_and(reached, mask_and(ahead, near));
 }
 
-/// One solid's nearest hit in the lanes of `alive`.
+/// One solid's nearest hit in the lanes of `alive`, all of which may_hit() it.
 [[gnu::noinline]] inline mask solid_hit(const World& world, const Solid& solid, const Ray& ray, mask alive, real& t,
                                         word& part) {
     part = word(kWhole);
@@ -178,8 +179,6 @@ FN mask may_hit(const Solid& s, const Ray& ray) {
         real3 normal;
         return mask_and(alive, intersect_sphere(ray, solid.middle, solid.radius, t, normal));
     }
-    alive = mask_and(alive, may_hit(solid, ray));
-    if (!any_lane(alive)) return alive;
     if (solid.kind == SolidKind::kTorus) return torus_hit(solid, ray, alive, t);
     return carved_hit(world, solid, ray, alive, t, part);
 }

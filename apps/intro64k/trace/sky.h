@@ -43,12 +43,6 @@ FN real bell(real x) {
     return color;
 }
 
-/// Where clouds are looked up, times the share that it returns; lower than a little above the horizon there are none.
-FN real cloud_place(real3 d, OUT(real3) place) {
-    place = real3(d.x, d.y, real(0.0f));
-    return max(d.z, real(0.0f)) + 0.06f;
-}
-
 /// What a whole cloud adds to the clear sky in a direction.
 FN real3 cloud_light(const Sky& sky, real3 d, real3 clear) {
     real toward = max(dot(d, real3(sky.sun_place)), real(0.0f));

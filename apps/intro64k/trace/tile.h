@@ -9,29 +9,22 @@ INTRO_LANES_BEGIN
 
 inline uint spot_index(uint x, uint y) { return y * kSpotsAcross + x; }
 
-/// 0xRRGGBB of radiance: a film's curve (Narkowicz, ACES Filmic Tone Mapping Curve, 2016), the square root in place of
-/// the screen's own gamma, and an ordered pattern that hides steps.
-FN word pixel_of(real3 c, real pattern) {
-    real channels[3] = {c.x, c.y, c.z};
-    word packed = word(0u);
-    for (uint i = 0u; i < 3u; i = i + 1u) {
-        real x = max(channels[i], real(0.0f));
-        real y = x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f);
-        y = sqrt(min(y, real(1.0f))) * 255.0f + pattern;
-        packed = (packed << 8u) | word_from_real(min(y, real(255.0f)));
-    }
-    return packed;
+/// 0xRRGGBB; `pattern` is added to hide steps.
+FN word pixel_of(real3 tone, real pattern) {
+    real most = real(255.0f);
+    return (word_from_real(min(tone.x + pattern, most)) << 16u) | (word_from_real(min(tone.y + pattern, most)) << 8u) |
+           word_from_real(min(tone.z + pattern, most));
 }
 
-FN real3 radiance_of(const Tables& tables, const World& world, const real* channels, word texture, bool textured) {
-    real3 added = real3(channels[kAdded], channels[kAdded + 1], channels[kAdded + 2]);
-    real3 light = real3(channels[kLight], channels[kLight + 1], channels[kLight + 2]);
-    if (textured) {
-        real3 place = real3(channels[kPlace], channels[kPlace + 1], channels[kPlace + 2]);
-        place = place * (1.0f / channels[kDepthShare]);
-        light = light * texture_colors(world, tables, texture, place, mask(true));
-    }
-    return added + light;
+/// Of samples that need not have one texture.
+FN real3 mixed_tone(const Tables& tables, const World& world, const real* channels, word texture) {
+    mask textured = texture != word(0u);
+    real3 place = real3(channels[kPlace], channels[kPlace + 1], channels[kPlace + 2]);
+    if (!any_lane(textured)) return place;
+    real3 color = texture_colors(world, tables, texture, place * (1.0f / channels[kDepthShare]), textured);
+    real3 radiance = real3(channels[kAdded], channels[kAdded + 1], channels[kAdded + 2]) +
+                     real3(channels[kLight], channels[kLight + 1], channels[kLight + 2]) * color;
+    return select(textured, tone_of(radiance), place);
 }
 
 /// Half a step of ordered noise, 0 to 1, for whole pixels (x, y).
@@ -82,54 +75,88 @@ inline Corners corners_of(const TileWork& work, Spot at, uint size) {
 
 /// True where all four corners saw the same, in much the same light: then what is between them is, too. Differences
 /// count as the eye sees them, by the square root of the light; a bend more than a slope, which interpolation follows.
-inline bool corners_agree(const Corners& c, float tolerance) {
+inline bool corners_agree(const Corners& c, uint size, float tolerance) {
     const uint signature = c.s[0]->signature;
     if (c.s[1]->signature != signature || c.s[2]->signature != signature || c.s[3]->signature != signature) return false;
-    for (int i = 0; i < kPlace; ++i) {
-        const float v0 = c.s[0]->channels[i];
-        const float v1 = c.s[1]->channels[i];
-        const float v2 = c.s[2]->channels[i];
-        const float v3 = c.s[3]->channels[i];
-        const float high = max(max(v0, v1), max(v2, v3));
-        const float low = min(min(v0, v1), min(v2, v3));
-        const float range = high - low;
-        const float bend = v0 + v3 - v1 - v2;
-        const float allowed = tolerance * tolerance * (max(high, -low) + 0.02f);
-        if (range * range > 0.018f * allowed || bend * bend > 0.0010f * allowed) return false;
+    // What is left of light's bends between neighbours two pixels apart can't be seen.
+    if (size <= 2) return true;
+    // All six channels by two overlapping fours.
+    using Four = float __attribute__((vector_size(16)));
+    for (int i = 0; i < kPlace; i += kPlace - 4) {
+        Four v[4];
+        for (int k = 0; k < 4; ++k) __builtin_memcpy(&v[k], c.s[k]->channels + i, sizeof(Four));
+        const Four top_high = v[0] > v[1] ? v[0] : v[1];
+        const Four top_low = v[0] > v[1] ? v[1] : v[0];
+        const Four bottom_high = v[2] > v[3] ? v[2] : v[3];
+        const Four bottom_low = v[2] > v[3] ? v[3] : v[2];
+        const Four high = top_high > bottom_high ? top_high : bottom_high;
+        const Four range = high - (top_low > bottom_low ? bottom_low : top_low);
+        const Four bend = v[0] + v[3] - v[1] - v[2];
+        const Four allowed = (high + 0.02f) * (tolerance * tolerance);
+        const auto over = (range * range > 0.018f * allowed) | (bend * bend > 0.0010f * allowed);
+        if (_mm_movemask_ps(std::bit_cast<__m128>(over)) != 0) return false;
+        if (i + 4 >= kPlace) break;
     }
     return true;
 }
 
+/// 0, 1, 2, ... in the lanes.
+FN word lane_numbers() {
+    vuint numbers{};
+    for (uint lane = 0; lane < static_cast<uint>(kLanes); ++lane) numbers[lane] = lane;
+    return word(numbers);
+}
+
 /// Fills a square between its corners; all of it is of one texture.
-inline void fill_square(const View& view, const Picture& picture, const Corners& c, uint x0, uint y0, uint size) {
-    const bool textured = c.s[0]->texture != 0u;
+[[gnu::noinline]] inline void fill_square(const View& view, const Picture& picture, const Corners& c, uint x0, uint y0,
+                                          uint size) {
+    const uint texture = c.s[0]->texture;
     const float step = 1.0f / static_cast<float>(size);
+    float from[kChannels];
+    float across[kChannels];
+    float down[kChannels];
+    float both[kChannels];
+    const int first_channel = texture != 0u ? 0 : kTone;
+    const int channel_count = texture != 0u ? kChannels : 3;
+    for (int i = 0; i < channel_count; ++i) {
+        const float v0 = c.s[0]->channels[first_channel + i];
+        const float v1 = c.s[1]->channels[first_channel + i];
+        const float v2 = c.s[2]->channels[first_channel + i];
+        const float v3 = c.s[3]->channels[first_channel + i];
+        from[i] = v0;
+        across[i] = v1 - v0;
+        down[i] = v2 - v0;
+        both[i] = v3 - v1 - v2 + v0;
+    }
+    const bool whole = x0 + size <= picture.width && y0 + size <= picture.height;
+    const uint bits = size == 8 ? 3 : size == 4 ? 2 : size == 2 ? 1 : 0;
     for (uint first = 0; first < size * size; first += static_cast<uint>(kLanes)) {
-        vuint px{};
-        vuint py{};
-        for (uint lane = 0; lane < static_cast<uint>(kLanes); ++lane) {
-            px[lane] = (first + lane) & (size - 1);
-            py[lane] = ((first + lane) / size) & (size - 1);
+        const word number = lane_numbers() + word(first);
+        const word px = number & word(size - 1);
+        const word py = (number >> bits) & word(size - 1);
+        const real fx = (real_from_word(px) + 0.5f) * step;
+        const real fy = (real_from_word(py) + 0.5f) * step;
+        real v[kChannels];
+        for (int i = 0; i < 3; ++i) v[i] = from[i] + across[i] * fx + (down[i] + both[i] * fx) * fy;
+        real3 tone = real3(v[0], v[1], v[2]);
+        if (texture != 0u) {
+            for (int i = 3; i < kChannels; ++i) v[i] = from[i] + across[i] * fx + (down[i] + both[i] * fx) * fy;
+            const real3 place = real3(v[kPlace], v[kPlace + 1], v[kPlace + 2]) * (1.0f / v[kDepthShare]);
+            const real3 color = texture_color(*view.tables, view.world->textures[texture], place);
+            tone = tone_of(tone + real3(v[kLight], v[kLight + 1], v[kLight + 2]) * color);
         }
-        real fx = (real_from_word(word(px)) + 0.5f) * step;
-        real fy = (real_from_word(word(py)) + 0.5f) * step;
-        real fxy = fx * fy;
-        real channels[kChannels];
-        const int needed = textured ? kChannels : kPlace;
-        for (int i = 0; i < needed; ++i) {
-            const float v0 = c.s[0]->channels[i];
-            const float v1 = c.s[1]->channels[i] - v0;
-            const float v2 = c.s[2]->channels[i] - v0;
-            const float v3 = c.s[3]->channels[i] - v0 - v1 - v2;
-            channels[i] = v0 + v1 * fx + v2 * fy + v3 * fxy;
+        const word pixel = pixel_of(tone, pattern_at(px + word(x0), py + word(y0)));
+        uint* row = picture.pixels + static_cast<std::size_t>(y0 + (first >> bits)) * picture.pitch + x0;
+        if (whole && size >= static_cast<uint>(kLanes)) {
+            __builtin_memcpy(row + (first & (size - 1)), &pixel.v, sizeof pixel.v);
+            continue;
         }
-        real3 color = radiance_of(*view.tables, *view.world, channels, word(c.s[0]->texture), textured);
-        word pixel = pixel_of(color, pattern_at(word(px) + word(x0), word(py) + word(y0)));
-        const uint lanes = min(static_cast<uint>(kLanes), size * size - first);
-        for (uint lane = 0; lane < lanes; ++lane) {
-            const uint x = x0 + px[lane];
-            const uint y = y0 + py[lane];
-            if (x < picture.width && y < picture.height) picture.pixels[y * picture.pitch + x] = pixel.v[lane];
+        uint values[kLanes];
+        __builtin_memcpy(values, &pixel.v, sizeof values);
+        for (uint i = first; i < min(first + static_cast<uint>(kLanes), size * size); ++i) {
+            const uint x = i & (size - 1);
+            const uint y = i >> bits;
+            if (x0 + x < picture.width && y0 + y < picture.height) row[(y - (first >> bits)) * picture.pitch + x] = values[i - first];
         }
     }
 }
@@ -150,7 +177,7 @@ inline void fill_pixels(const View& view, const Picture& picture, const TileWork
                 for (int i = 0; i < kChannels; ++i) channels[i].v[lane] = s.channels[i];
                 texture.v[lane] = s.texture;
             }
-            word pixel = pixel_of(radiance_of(*view.tables, *view.world, channels, texture, true), real(0.5f));
+            word pixel = pixel_of(mixed_tone(*view.tables, *view.world, channels, texture), real(0.5f));
             for (uint i = 0; i < 3; ++i) sum[i] = sum[i] + ((pixel >> (8 * i)) & word(255u));
         }
         word mean = word(0u);

@@ -13,6 +13,17 @@
 
 INTRO_LANES_BEGIN
 
+/// Red, green and blue from 0 to 255 of radiance: a film's curve (Narkowicz, ACES Filmic Tone Mapping Curve, 2016), and
+/// the square root in place of the screen's own gamma.
+FN real3 tone_of(real3 c) {
+    real3 x = max(c, real3(real(0.0f)));
+    real3 num = x * (x * real(2.51f) + real3(real(0.03f)));
+    real3 den = x * (x * real(2.43f) + real3(real(0.59f))) + real3(real(0.14f));
+    return real3(sqrt(min(num.x / den.x, real(1.0f))), sqrt(min(num.y / den.y, real(1.0f))),
+                 sqrt(min(num.z / den.z, real(1.0f)))) *
+           real(255.0f);
+}
+
 /// What a frame is traced from.
 struct View {
     const World* world;
@@ -32,9 +43,11 @@ FN Found closest_hit(const World& world, const Candidates& candidates, Ray ray, 
     found.part = word(kWhole);
     for (uint i = 0u; i < candidates.count; i = i + 1u) {
         uint number = candidates.numbers[i];
+        mask here = mask_and(alive, may_hit(world.solids[number], ray));
+        if (!any_lane(here)) continue;
         real t;
         word part;
-        mask here = solid_hit(world, world.solids[number], ray, alive, t, part);
+        here = solid_hit(world, world.solids[number], ray, here, t, part);
         ray.t_max = select(here, t, ray.t_max);
         found.solid = select(here, word(number), found.solid);
         found.part = select(here, part, found.part);
@@ -49,11 +62,14 @@ FN mask is_shadowed(const World& world, const Ray& ray, mask alive) {
     for (uint i = 0u; i < world.solid_count; i = i + 1u) {
         const Solid& solid = world.solids[i];
         if (!solid.casts_shadow) continue;
+        mask here = mask_and(alive, may_hit(solid, ray));
+        if (!any_lane(here)) continue;
         real t;
         word part;
-        mask here = solid_hit(world, solid, ray, mask_and(alive, mask_not(dark)), t, part);
+        here = solid_hit(world, solid, ray, here, t, part);
         dark = mask_or(dark, here);
-        if (!any_lane(mask_and(alive, mask_not(dark)))) break;
+        alive = mask_and(alive, mask_not(here));
+        if (!any_lane(alive)) break;
     }
     return dark;
 }
@@ -67,23 +83,22 @@ FN real lamp_glow(vec3 place, Ray ray, real t) {
     return (angle_of(t - along, off) + angle_of(along, off)) / off;
 }
 
-/// Bends a flat surface's normal as water's (bumps of noise that wander).
-FN real3 water_normal(const Tables& tables, real3 p, real3 normal, real steepness, float seconds, real distance) {
-    // Far away waves are smaller than a pixel and only their mean is seen.
+/// Bends a level surface's normal as water's: bumps of noise that wander.
+FN real3 water_normal(const Tables& tables, real3 p, real steepness, float seconds, real distance) {
+    // Far away waves are smaller than a pixel, and only their mean is seen.
     real fade = steepness / (1.0f + distance * 0.045f);
     real slope_x = real(0.0f);
     real slope_y = real(0.0f);
-    const float step = 0.004f;
     for (uint i = 0u; i < 2u; i = i + 1u) {
         float scale = i == 0u ? 0.021f : 0.043f;
         float drift = i == 0u ? 0.006f : -0.009f;
-        real3 q = real3(p.x * scale + drift * seconds, p.y * (scale * 1.6f) + drift * 0.4f * seconds,
-                        real(0.011f * seconds + 0.37f * float(i)));
-        real h = noise_at(tables.noise, q);
-        slope_x = slope_x + noise_at(tables.noise, real3(q.x + step, q.y, q.z)) - h;
-        slope_y = slope_y + noise_at(tables.noise, real3(q.x, q.y + step, q.z)) - h;
+        real2 slopes = noise_slopes(tables.noise, real3(p.x * scale + drift * seconds,
+                                                        p.y * (scale * 1.6f) + drift * 0.4f * seconds,
+                                                        real(0.011f * seconds + 0.37f * float(i))));
+        slope_x = slope_x + slopes.x;
+        slope_y = slope_y + slopes.y;
     }
-    return normalize(real3(normal.x - slope_x * fade, normal.y - slope_y * fade, normal.z));
+    return normalize(real3(-slope_x * fade, -slope_y * fade, real(1.0f)));
 }
 
 /// Adds to a signature; order counts.
@@ -116,7 +131,9 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         Found hit = closest_hit(world, bounce == 0u ? eye : all, ray, alive);
         mask on_solid = mask_and(alive, hit.solid != word(NONE));
         mask on_sky = mask_and(alive, mask_not(on_solid));
-        signature = select(alive, signed_with(signature, (hit.solid << 8u) + hit.part), signature);
+        // What is seen so faintly that nobody would miss it needs no edges.
+        mask clear_view = mask_and(alive, largest(weight) > real(0.07f * world.exposure));
+        signature = select(clear_view, signed_with(signature, (hit.solid << 8u) + hit.part), signature);
 
         real3 air = real3(real(0.0f));
         if (bounce == 0u) {
@@ -130,20 +147,12 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
 
         if (any_lane(on_sky)) {
             real3 clear = sky_color(world.sky, ray.direction);
-            real3 cloud = real3(real(0.0f));
-            real3 place = real3(real(0.0f));
-            real share = real(1.0f);
             if (world.sky.texture != 0u) {
-                cloud = cloud_light(world.sky, ray.direction, clear);
-                share = cloud_place(ray.direction, place);
-            }
-            if (bounce == 0u) {
-                light_out = select(on_sky, cloud * weight, light_out);
-                place_out = select(on_sky, place, place_out);
-                depth_share = select(on_sky, share, depth_share);
-                texture_out = select(on_sky, word(world.sky.texture), texture_out);
-            } else if (world.sky.texture != 0u) {
-                clear = clear + cloud * texture_color(tables, world.textures[world.sky.texture], place * (1.0f / share));
+                // Clouds lie in a plane; none are looked up far out in it.
+                real3 place = real3(ray.direction.x, ray.direction.y, real(0.0f)) *
+                              (1.0f / (max(ray.direction.z, real(0.0f)) + 0.07f));
+                clear = clear + cloud_light(world.sky, ray.direction, clear) *
+                                    texture_color(tables, world.textures[world.sky.texture], place);
             }
             added = select(on_sky, added + weight * clear, added);
         }
@@ -174,7 +183,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         real waves = load(&materials[0].waves, sizeof(Material), material);
         mask wavy = mask_and(alive, waves > real(0.0f));
         if (any_lane(wavy)) {
-            normal = select(wavy, water_normal(tables, position, normal, waves, world.seconds, t), normal);
+            normal = select(wavy, water_normal(tables, position, waves, world.seconds, t), normal);
         }
         word texture = load(&materials[0].texture, sizeof(Material), material);
         real3 diffuse = load(&materials[0].diffuse, sizeof(Material), material);
@@ -194,6 +203,8 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         real3 start = position + normal * error;
 
         // Lamps.
+        real matter = max(largest(diffuse), highlight);
+        mask lightable = mask_and(alive, matter > real(0.0f));
         real upward = 0.5f + 0.5f * normal.z;
         real3 light = mix(real3(world.ambient_down), real3(world.ambient_up), upward);
         real3 shine = real3(real(0.0f));
@@ -202,7 +213,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
             real distance;
             real3 to_lamp = direction_to_light(lamp.light, start, distance);
             real cosine = lambert(normal, to_lamp);
-            mask lit = mask_and(alive, cosine > real(0.0f));
+            mask lit = mask_and(lightable, cosine > real(0.0f));
             real share = real(1.0f);
             if (lamp.light.kind == LIGHT_SPOT) {
                 share = smooth_step(lamp.light.dark, lamp.light.bright, -dot(to_lamp, real3(lamp.light.axis)));
@@ -211,7 +222,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
                 real relative = distance * (1.0f / lamp.reach);
                 share = share / (1.0f + relative * relative);
             }
-            lit = mask_and(lit, share > real(0.004f));
+            lit = mask_and(lit, share > real(0.01f));
             if (any_lane(lit)) {
                 counts.rays += static_cast<unsigned>(__builtin_popcount(lane_bits(lit)));
                 Ray shadow;
@@ -225,8 +236,9 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
             real3 color = real3(lamp.light.color) * select(lit, share, real(0.0f));
             light = light + color * cosine;
             shine = shine + color * bright_spot;
-            word state = select(lit, select(bright_spot > real(0.02f), word(2u), word(1u)), word(0u));
-            signature = select(alive, signed_with(signature, state + word(i * 4u)), signature);
+            word state = select(lit, select(bright_spot > real(0.05f), word(2u), word(1u)), word(0u));
+            mask clear_light = mask_and(clear_view, largest(weight) * share * max(matter * cosine, bright_spot) > real(0.03f * world.exposure));
+            signature = select(clear_light, signed_with(signature, state + word(i * 4u)), signature);
         }
 
         real clear_share = real(1.0f);
@@ -245,7 +257,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         added = select(alive, added + weight * shine, added);
 
         weight = weight * reflected * clear_share;
-        alive = mask_and(alive, largest(weight) > real(0.02f * world.exposure));
+        alive = mask_and(alive, largest(weight) > real(0.03f * world.exposure));
         if (bounce == world.bounces || !any_lane(alive)) break;
         ray.origin = start;
         ray.direction = mirror_direction(ray.direction, normal);
@@ -254,7 +266,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         ray.t_min = error;
         ray.t_max = real(1e6f);
     }
-    place_out = place_out * depth_share;
+    place_out = select(texture_out != word(0u), place_out * depth_share, tone_of(added + light_out));
 
     const real channels[kChannels] = {added.x,     added.y,     added.z,     light_out.x, light_out.y,
                                       light_out.z, place_out.x, place_out.y, place_out.z, depth_share};
