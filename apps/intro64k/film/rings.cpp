@@ -31,7 +31,7 @@ void rings(World& world, const Moment& now) {
     table.diffuse = vec3(0.9F, 0.9F, 0.9F);
     table.highlight = 0.35F;
     table.shininess = 50;
-    table.mirror = vec3(0.05F, 0.05F, 0.05F);
+    table.mirror = vec3(0.03F, 0.03F, 0.03F);
     table.mirror_edge = 0.5F;
     const uint wooden = builder.material(table);
     // A log sawn lengthwise: its axis lies almost in the table's face.
@@ -74,8 +74,8 @@ void rings(World& world, const Moment& now) {
     builder.spot(vec3(-9, -7, 11), vec3(0, 0.5F, 0), vec3(0.22F, 0.36F, 0.85F), 0.42F, 0.6F);
 
     // Onlookers: balls that roll around it, and a carved bowl.
-    for (uint i = 0; i < 5; ++i) {
-        const float around = t * 0.22F + static_cast<float>(i) * 1.2566F;
+    for (uint i = 0; i < 4; ++i) {
+        const float around = t * 0.22F + static_cast<float>(i) * 1.5708F;
         const float radius = i % 2 == 0 ? 0.5F : 0.34F;
         const float far = i % 2 == 0 ? 4.4F : 3.6F;
         builder.sphere(vec3(far * std::cos(around), far * std::sin(around), radius), radius,

@@ -17,6 +17,7 @@ inline constexpr int kTone = kPlace;  ///< Where there is no texture: red, green
 struct Sample {
     float channels[kChannels];  ///< May be interpolated linearly across the picture.
     uint texture;               ///< 0: white everywhere.
+    uint outline;               ///< Hash of what was hit, by the eye's ray and in clear mirrors.
     uint signature;             ///< Hash of what was hit, of each lamp's state there, and so on in all mirrors.
 };
 

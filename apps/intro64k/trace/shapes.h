@@ -184,7 +184,7 @@ FN mask may_hit(const Solid& s, const Ray& ray) {
 }
 
 /// Outward unit normal (into a cut, for a cut's face) at a point on a solid.
-FN real3 solid_normal(const World& world, const Solid& solid, word part, real3 position) {
+[[gnu::noinline]] inline real3 solid_normal(const World& world, const Solid& solid, word part, const real3& position) {
     if (solid.kind == SolidKind::kPlane) return real3(solid.middle);
     if (solid.kind == SolidKind::kSphere) return (position - real3(solid.middle)) * (1.0f / solid.radius);
     real3 p = to_own_space(solid, position - real3(solid.origin));

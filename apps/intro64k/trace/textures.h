@@ -17,14 +17,14 @@ INTRO_LANES_BEGIN
     }
     // Up the palette and down again, so that it has no seam.
     real turn = phase - 2.0f * floor(phase * 0.5f);
-    real along = min(turn, 2.0f - turn);
+    real entry = min(turn, 2.0f - turn) * 255.0f;
     if (texture.tiles > 0.0f) {
         real tile = floor(p.x * texture.tiles) + floor(p.y * texture.tiles);
         real odd = tile - 2.0f * floor(tile * 0.5f);
-        along = 0.498f * along + 0.5f * odd;
+        entry = entry * (127.0f / 255.0f) + 128.0f * odd;
     }
-    word entry = word_from_real(clamp(along, real(0.0f), real(1.0f)) * 255.0f);
-    word packed = gather_lanes(tables.palettes + texture.palette * kPaletteSize, 1, entry);
+    word index = word_from_real(clamp(entry, real(0.0f), real(255.0f)));
+    word packed = gather_lanes(tables.palettes + texture.palette * kPaletteSize, 1, index);
     real3 root = real3(real_from_word(packed & word(1023u)), real_from_word((packed >> 10u) & word(1023u)),
                        real_from_word(packed >> 20u)) *
                  real(1.0f / 1023.0f);

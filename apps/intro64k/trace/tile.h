@@ -76,10 +76,13 @@ inline Corners corners_of(const TileWork& work, Spot at, uint size) {
 /// True where all four corners saw the same, in much the same light: then what is between them is, too. Differences
 /// count as the eye sees them, by the square root of the light; a bend more than a slope, which interpolation follows.
 inline bool corners_agree(const Corners& c, uint size, float tolerance) {
-    const uint signature = c.s[0]->signature;
-    if (c.s[1]->signature != signature || c.s[2]->signature != signature || c.s[3]->signature != signature) return false;
-    // What is left of light's bends between neighbours two pixels apart can't be seen.
-    if (size <= 2) return true;
+    const auto all_have = [&c](uint Sample::*hash) {
+        const uint first = c.s[0]->*hash;
+        return c.s[1]->*hash == first && c.s[2]->*hash == first && c.s[3]->*hash == first;
+    };
+    // Edges of shadows and of faint reflections may be as soft as two pixels; outlines may not.
+    if (!all_have(size <= 2 ? &Sample::outline : &Sample::signature)) return false;
+    if (size <= 2) tolerance = tolerance * (c.s[0]->signature == c.s[3]->signature ? 3.0f : 8.0f);
     // All six channels by two overlapping fours.
     using Four = float __attribute__((vector_size(16)));
     for (int i = 0; i < kPlace; i += kPlace - 4) {

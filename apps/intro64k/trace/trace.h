@@ -37,7 +37,7 @@ struct Found {
     word part;
 };
 
-FN Found closest_hit(const World& world, const Candidates& candidates, Ray ray, mask alive) {
+[[gnu::noinline]] inline Found closest_hit(const World& world, const Candidates& candidates, Ray ray, mask alive) {
     Found found;
     found.solid = word(NONE);
     found.part = word(kWhole);
@@ -57,7 +57,7 @@ FN Found closest_hit(const World& world, const Candidates& candidates, Ray ray, 
 }
 
 /// Lanes of `alive` whose way along the ray is barred.
-FN mask is_shadowed(const World& world, const Ray& ray, mask alive) {
+[[gnu::noinline]] inline mask is_shadowed(const World& world, const Ray& ray, mask alive) {
     mask dark = mask(false);
     for (uint i = 0u; i < world.solid_count; i = i + 1u) {
         const Solid& solid = world.solids[i];
@@ -76,7 +76,7 @@ FN mask is_shadowed(const World& world, const Ray& ray, mask alive) {
 
 /// Light that thin air scatters from a lamp towards the eye along a ray from it to t: the integral of one over the
 /// squared distance (a ray's stretch seen from the lamp, as an angle, over its distance).
-FN real lamp_glow(vec3 place, Ray ray, real t) {
+[[gnu::noinline]] inline real lamp_glow(vec3 place, const Ray& ray, real t) {
     real3 to_lamp = real3(place) - ray.origin;
     real along = dot(to_lamp, ray.direction);
     real off = sqrt(max(dot(to_lamp, to_lamp) - along * along, real(1e-4f)));
@@ -84,7 +84,7 @@ FN real lamp_glow(vec3 place, Ray ray, real t) {
 }
 
 /// Bends a level surface's normal as water's: bumps of noise that wander.
-FN real3 water_normal(const Tables& tables, real3 p, real steepness, float seconds, real distance) {
+[[gnu::noinline]] inline real3 water_normal(const Tables& tables, const real3& p, real steepness, float seconds, real distance) {
     // Far away waves are smaller than a pixel, and only their mean is seen.
     real fade = steepness / (1.0f + distance * 0.045f);
     real slope_x = real(0.0f);
@@ -122,7 +122,8 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
     real3 place_out = real3(real(0.0f));
     real depth_share = real(1.0f);
     word texture_out = word(0u);
-    word signature = word(0x811c9dc5u);
+    word outline = word(0x811c9dc5u);
+    word signature = outline;
     mask alive = mask(true);
     vec3 forward = world.camera.center * (1.0f / length(world.camera.center));
 
@@ -132,8 +133,10 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         mask on_solid = mask_and(alive, hit.solid != word(NONE));
         mask on_sky = mask_and(alive, mask_not(on_solid));
         // What is seen so faintly that nobody would miss it needs no edges.
-        mask clear_view = mask_and(alive, largest(weight) > real(0.07f * world.exposure));
-        signature = select(clear_view, signed_with(signature, (hit.solid << 8u) + hit.part), signature);
+        mask clear_view = mask_and(alive, largest(weight) > real(0.035f * world.exposure));
+        word what = (hit.solid << 8u) + hit.part;
+        signature = select(clear_view, signed_with(signature, what), signature);
+        outline = select(largest(weight) > real(0.25f * world.exposure), signed_with(outline, what), outline);
 
         real3 air = real3(real(0.0f));
         if (bounce == 0u) {
@@ -273,6 +276,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
     for (int lane = 0; lane < kLanes; ++lane) {
         for (int c = 0; c < kChannels; ++c) out[lane].channels[c] = channels[c].v[lane];
         out[lane].texture = texture_out.v[lane];
+        out[lane].outline = outline.v[lane];
         out[lane].signature = signature.v[lane];
     }
 }
