@@ -52,8 +52,8 @@ int benchmark(Renderer& renderer, const Options& options, uint width, uint heigh
     }
     const Counts counts = renderer.counts();
     const double frames = options.frames;
-    std::printf("%u frames of %ux%u, %u threads, %u lanes\n", options.frames, width, height, renderer.threads(),
-                renderer.lanes());
+    std::printf("%u frames of %ux%u, %u threads, refinement %s\n", options.frames, width, height, renderer.threads(),
+                options.refinement ? "on" : "off");
     std::printf("frames per second: %.1f on average, %.1f at the slowest (%.2f s)\n", frames / total, 1 / slowest,
                 static_cast<double>(slowest_at));
     std::printf("rays per second: %.2f million\n", static_cast<double>(counts.rays) / total * 1e-6);
@@ -70,7 +70,11 @@ int run(int count, char** words) {
         return 0;
     }
     const uint cores = static_cast<uint>(SDL_GetCPUCount());
-    Renderer renderer(options.threads != 0 ? options.threads : cores, options.lanes);
+    if (!Renderer::runs_here()) {
+        std::fputs("sundog-intro: sorry, this film needs a processor with AVX2 and FMA (of 2013 or later)\n", stderr);
+        return 1;
+    }
+    Renderer renderer(options.threads != 0 ? options.threads : cores);
     const uint width = options.width != 0 ? options.width : kWidth;
     const uint height = options.height != 0 ? options.height : kHeight;
     if (options.task == Task::kFrame) return write_frame(renderer, options, width, height);

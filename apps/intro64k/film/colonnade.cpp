@@ -9,54 +9,42 @@ namespace sundog::intro {
 
 using namespace kernel;
 
+namespace {
+
+constexpr Air kNight{.bounces = 2,
+                     .vignette = 0.5F,
+                     .fog = 0.02F,
+                     .fog_color = {0.025F, 0.04F, 0.10F},
+                     .ambient_up = {0.045F, 0.06F, 0.12F},
+                     .ambient_down = {0.05F, 0.035F, 0.03F},
+                     .zenith = {0.006F, 0.01F, 0.035F},
+                     .horizon = {0.04F, 0.065F, 0.15F}};
+constexpr Texture kTiles{.stripes = {0.35F, 0.21F, 0},
+                         .noise_scale = {0.11F, 0.11F, 0.11F},
+                         .noise = 4.5F,
+                         .tiles = 0.5F,
+                         .palette = kMarbleTiles};
+constexpr Texture kMarble{
+    .stripes = {0.5F, 0.3F, 0.22F}, .noise_scale = {0.14F, 0.14F, 0.09F}, .noise = 4, .palette = kWhiteMarble};
+constexpr Texture kWall{
+    .stripes = {0, 0, 0.8F}, .noise_scale = {0.2F, 0.2F, 0.4F}, .noise = 2.5F, .palette = kSandstone};
+// Without a mirror: columns would show too much of each other.
+constexpr Material kDull{.diffuse = {0.9F, 0.88F, 0.84F}, .highlight = 0.25F, .shininess = 40};
+constexpr vec3 kWisps[] = {vec3(1.0F, 0.52F, 0.18F), vec3(0.22F, 0.46F, 1.0F), vec3(1.0F, 0.2F, 0.42F)};
+
+}  // namespace
+
 void colonnade(World& world, const Moment& now) {
     Builder builder(world);
     const float t = now.seconds;
-    world.bounces = 2;
-    world.vignette = 0.5F;
-    world.ambient_up = vec3(0.045F, 0.06F, 0.12F);
-    world.ambient_down = vec3(0.05F, 0.035F, 0.03F);
-    world.fog = 0.02F;
-    world.fog_color = vec3(0.025F, 0.04F, 0.10F);
-    world.sky.zenith = vec3(0.006F, 0.01F, 0.035F);
-    world.sky.horizon = vec3(0.04F, 0.065F, 0.15F);
-
-    Texture tiles{};
-    tiles.stripes = vec3(0.35F, 0.21F, 0);
-    tiles.noise_scale = vec3(0.11F, 0.11F, 0.11F);
-    tiles.noise = 4.5F;
-    tiles.tiles = 0.5F;
-    tiles.palette = kMarbleTiles;
-    Material floor{};
-    floor.texture = builder.texture(tiles);
-    floor.diffuse = vec3(0.8F, 0.8F, 0.8F);
-    floor.highlight = 0.5F;
-    floor.shininess = 90;
-    floor.mirror = vec3(0.10F, 0.10F, 0.10F);
-    floor.mirror_edge = 0.7F;
-    builder.plane(vec3(0, 0, 1), 0, builder.material(floor));
-
-    Texture marble{};
-    marble.stripes = vec3(0.5F, 0.3F, 0.22F);
-    marble.noise_scale = vec3(0.14F, 0.14F, 0.09F);
-    marble.noise = 4;
-    marble.palette = kWhiteMarble;
-    Material white{};
-    white.texture = builder.texture(marble);
-    white.diffuse = vec3(0.9F, 0.88F, 0.84F);
-    white.highlight = 0.25F;
-    white.shininess = 40;
-    const uint column = builder.material(white);
-
-    Texture sandstone{};
-    sandstone.stripes = vec3(0, 0, 0.8F);
-    sandstone.noise_scale = vec3(0.2F, 0.2F, 0.4F);
-    sandstone.noise = 2.5F;
-    sandstone.palette = kSandstone;
-    Material wall{};
-    wall.texture = builder.texture(sandstone);
-    wall.diffuse = vec3(0.8F, 0.8F, 0.8F);
-    const uint arches = builder.material(wall);
+    world.air = kNight;
+    const uint floor = builder.polished(kTiles);
+    world.materials[floor].mirror = vec3(0.10F, 0.10F, 0.10F);
+    builder.plane(vec3(0, 0, 1), 0, floor);
+    const uint column = builder.material(kDull);
+    world.materials[column].texture = builder.texture(kMarble);
+    const uint arches = builder.material(kDull);
+    world.materials[arches].texture = builder.texture(kWall);
 
     // Two rows of columns under two walls, into which arches are cut.
     for (uint side = 0; side < 2; ++side) {
@@ -74,35 +62,30 @@ void colonnade(World& world, const Moment& now) {
             .tube(0, vec3(0, 6, 4.2F), 2.3F);
     }
     // At the end, a niche with a golden ball before a disc of light.
-    Material gold{};
-    gold.diffuse = vec3(0.25F, 0.14F, 0.04F);
-    gold.highlight = 1;
-    gold.shininess = 60;
-    gold.mirror = vec3(0.68F, 0.46F, 0.2F);
-    gold.mirror_edge = 1;
-    const uint golden = builder.material(gold);
+    const uint golden = builder.metal(vec3(0.94F, 0.64F, 0.28F));
     builder.cylinder(vec3(0, 18, 0), 1.0F, 0.9F, column);
     builder.sphere(vec3(0, 18, 1.9F + 0.08F * std::sin(t * 2)), 0.85F, golden);
     builder.torus(turned(vec3(0, 18, 1.9F), 0, 1.2F, t * 0.8F), 1.35F, 0.09F, golden);
 
     // Will-o'-the-wisps weave between the columns, brighter on the beat.
-    Material spark{};
-    const vec3 colors[] = {vec3(1.0F, 0.52F, 0.18F), vec3(0.22F, 0.46F, 1.0F), vec3(1.0F, 0.2F, 0.42F)};
     for (uint i = 0; i < 3; ++i) {
         const float phase = t * 0.55F + static_cast<float>(i) * 2.1F;
         const vec3 place(5.2F * std::sin(phase), 9 + 9 * std::sin(phase * 0.53F + static_cast<float>(i)),
                          2.0F + 0.9F * std::sin(phase * 1.7F));
         const float bright = 1 + 0.5F * pulse(now.beats + static_cast<float>(i), 3);
-        spark.emission = colors[i] * (3 * bright);
-        builder.sphere(place, 0.1F, builder.material(spark));
-        builder.shadowless();
-        builder.lamp(place, colors[i] * (3.0F * bright), 3.2F, 0.012F * bright);
+        builder.lantern(place, 0.1F, kWisps[i], 3 * bright, 3.2F, 0.012F * bright);
     }
 
-    constexpr Key kEye[] = {{0, vec3(-7.5F, -6, 2.0F)}, {4, vec3(-1.5F, -5, 1.2F)}, {8, vec3(1.6F, 1, 1.5F)},
-                            {12, vec3(2.0F, 8, 2.9F)}, {16, vec3(-2.0F, 12.5F, 1.6F)}};
-    constexpr Key kAt[] = {{0, vec3(0, 6, 2.4F)}, {4, vec3(0.5F, 12, 2.2F)}, {8, vec3(-0.5F, 18, 2.2F)},
-                           {12, vec3(0, 18, 2.0F)}, {16, vec3(0, 18, 1.9F)}};
+    constexpr Key kEye[] = {{0, vec3(-7.5F, -6, 2.0F)},
+                            {4, vec3(-1.5F, -5, 1.2F)},
+                            {8, vec3(1.6F, 1, 1.5F)},
+                            {12, vec3(2.0F, 8, 2.9F)},
+                            {16, vec3(-2.0F, 12.5F, 1.6F)}};
+    constexpr Key kAt[] = {{0, vec3(0, 6, 2.4F)},
+                           {4, vec3(0.5F, 12, 2.2F)},
+                           {8, vec3(-0.5F, 18, 2.2F)},
+                           {12, vec3(0, 18, 2.0F)},
+                           {16, vec3(0, 18, 1.9F)}};
     builder.camera(spline(kEye, t), spline(kAt, t), 1.0F, now.aspect, 0.05F * std::sin(t * 0.45F));
 }
 

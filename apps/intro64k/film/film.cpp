@@ -11,14 +11,14 @@ namespace {
 
 struct Scene {
     void (*set_up)(World&, const Moment&);
-    float start;          ///< Seconds into the film; it ends where the next one starts.
-    float in, out;        ///< Seconds that its fades from and to black take.
+    float start;    ///< Seconds into the film; it ends where the next one starts.
+    float in, out;  ///< Seconds that its fades from and to black take.
     float exposure;
 };
 
 constexpr Scene kScenes[] = {
-    {sea, 0, 3.5F, 0.6F, 0.95F},      {rings, 16, 0.6F, 0.5F, 1.0F},     {colonnade, 32, 0.6F, 0.5F, 1.05F},
-    {carvings, 48, 0.5F, 0.5F, 0.9F}, {mirrors, 64, 0.5F, 0.8F, 1.0F},   {evening, 80, 1.2F, 4.0F, 1.0F},
+    {sea, 0, 3.5F, 0.6F, 0.95F},      {rings, 16, 0.6F, 0.5F, 1.0F},   {colonnade, 32, 0.6F, 0.5F, 1.05F},
+    {carvings, 48, 0.5F, 0.5F, 0.9F}, {mirrors, 64, 0.5F, 0.8F, 1.0F}, {evening, 80, 1.2F, 4.0F, 1.0F},
     {nullptr, kFilmSeconds, 0, 0, 0},
 };
 

@@ -20,8 +20,8 @@ void mirrors(World& world, const Moment& now);    ///< Balls between mirrors tha
 void carvings(World& world, const Moment& now);   ///< What is left of boxes and balls when others are cut away.
 void evening(World& world, const Moment& now);    ///< The sea again, at dusk, and the end.
 
-/// The letters SUNDOG standing upright in the plane y = place.y, their middle at `place`, `size` high. `risen` from 0 to
-/// 1 lifts them out of the depth, one after the other.
+/// The letters SUNDOG standing upright in the plane y = place.y, their middle at `place`, `size` high. `risen` from 0
+/// to 1 lifts them out of the depth, one after the other.
 void title(Builder& builder, vec3 place, float size, uint material, float risen, float sway);
 
 /// Sea, sky and clouds that both scenes at sea share. Adds the water.

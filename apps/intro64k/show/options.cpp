@@ -19,7 +19,6 @@ const char* const kHelp =
     "  --no-refinement     traces every pixel\n"
     "  --show-rays         paints traced pixels white\n"
     "  --threads N         1 to 64 (as many as there are cores)\n"
-    "  --lanes N           4 or 8 rays at a time (8 where the processor has AVX2)\n"
     "  --silent            without sound\n";
 
 namespace {
@@ -75,10 +74,6 @@ Options read_options(int count, char** words) {
             i += 2;
         } else if (is("--threads")) {
             if (!read_count(next, 1, Crew::kMost, options.threads)) return wrong(word, "expected 1 to 64");
-            ++i;
-        } else if (is("--lanes")) {
-            if (!read_count(next, 4, 8, options.lanes) || (options.lanes != 4 && options.lanes != 8))
-                return wrong(word, "expected 4 or 8");
             ++i;
         } else if (is("--no-refinement")) {
             options.refinement = false;

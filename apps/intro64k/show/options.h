@@ -15,7 +15,6 @@ struct Options {
     const char* file = nullptr;  ///< kFrame: where to.
     uint frames = 0;             ///< kBenchmark: how many, evenly over the film.
     uint threads = 0;            ///< 0: as many as there are cores.
-    uint lanes = 0;              ///< 0: as many as the processor has.
     bool refinement = true;
     bool shows_traced = false;
     bool sound = true;

@@ -1,24 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show/renderer.h"
 
+#include <cpuid.h>
+
 #include "film/film.h"
 #include "stage/palettes.h"
 
 namespace sundog::intro {
-namespace {
-
-unsigned lanes_of_processor() {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return 8;
-    return 4;
+bool Renderer::runs_here() {
+    // SDL asks whether the system keeps the wide registers, too.
+    unsigned eax = 0;
+    unsigned ebx = 0;
+    unsigned ecx = 0;
+    unsigned edx = 0;
+    return SDL_HasAVX2() == SDL_TRUE && __get_cpuid(1, &eax, &ebx, &ecx, &edx) != 0 && (ecx & bit_FMA) != 0;
 }
 
-}  // namespace
-
-Renderer::Renderer(unsigned threads, unsigned lanes)
+Renderer::Renderer(unsigned threads)
     : crew_(threads),
-      lanes_(lanes != 0 ? lanes : lanes_of_processor()),
-      draw_tile_(lanes_ == 8 ? draw_tile_by_8() : draw_tile_by_4()),
       noise_(kVolumeVoxels),
       palettes_(static_cast<std::size_t>(kPaletteCount) * kPaletteSize),
       world_(1),
@@ -35,8 +34,8 @@ void Renderer::make_noise_piece(void* job, unsigned piece, unsigned /*thread*/) 
 void Renderer::draw_piece(void* job, unsigned piece, unsigned thread) {
     const Renderer& self = *static_cast<Renderer*>(job);
     const uint across = (self.picture_.width + kTileSide - 1) / kTileSide;
-    self.draw_tile_(*self.world_, self.tables_, self.quality_, self.picture_, self.work_[thread],
-                    piece % across * kTileSide, piece / across * kTileSide);
+    draw_tile(*self.world_, self.tables_, self.quality_, self.picture_, self.work_[thread], piece % across * kTileSide,
+              piece / across * kTileSide);
 }
 
 void Renderer::draw(float seconds, const Quality& quality, const Picture& picture) {

@@ -10,14 +10,16 @@ namespace sundog::intro {
 
 class Renderer {
 public:
-    /// Makes noise and palettes. `lanes`: 4, 8 or 16; 0: as many as the processor has.
-    Renderer(unsigned threads, unsigned lanes);
+    /// True if the processor has what the tracer is compiled for.
+    static bool runs_here();
+
+    /// Makes noise and palettes.
+    explicit Renderer(unsigned threads);
 
     /// Draws the film's frame at `seconds`.
     void draw(float seconds, const Quality& quality, const Picture& picture);
     /// What all frames so far traced.
     [[nodiscard]] Counts counts() const;
-    [[nodiscard]] unsigned lanes() const { return lanes_; }
     [[nodiscard]] unsigned threads() const { return crew_.threads(); }
 
 private:
@@ -25,8 +27,6 @@ private:
     static void make_noise_piece(void* job, unsigned piece, unsigned thread);
 
     Crew crew_;
-    unsigned lanes_;
-    DrawTile draw_tile_;
     Block<uint> noise_, palettes_;
     Block<World> world_;
     Block<TileWork> work_;

@@ -12,9 +12,7 @@ constexpr float kRate = static_cast<float>(kSampleRate);
 constexpr unsigned kBarSamples = kSampleRate * 2;
 
 /// Of a note, in turns a sample.
-float frequency(unsigned note) {
-    return 440 / kRate * std::exp2((static_cast<float>(note) - 69) * (1.0F / 12));
-}
+float frequency(unsigned note) { return 440 / kRate * std::exp2((static_cast<float>(note) - 69) * (1.0F / 12)); }
 
 /// A decay by which a level halves in `seconds`.
 float halving(float seconds) { return std::exp2(-1 / (seconds * kRate)); }
@@ -71,7 +69,8 @@ void begin_step(Synth& s, unsigned bar, unsigned step) {
         if (note != 0) strike(s.bells[s.next_bell++ % kBells], note, 0.022F * a.bell, 0.55F, 0.2F);
     }
     if (has(a.bass_steps, step))
-        strike(s.bass, chord_of(bar).root + (step % 4 == 3 ? 12U : 0U), 0.034F * a.bass, a.drums == 0 ? 0.9F : 0.14F, 0);
+        strike(s.bass, chord_of(bar).root + (step % 4 == 3 ? 12U : 0U), 0.034F * a.bass, a.drums == 0 ? 0.9F : 0.14F,
+               0);
     const float drums = 0.05F * a.drums;
     if (has(a.kick_steps, step)) strike(s.kick, 33, drums * 1.5F, 0.07F, 0);
     if (has(a.snare_steps, step)) strike(s.snare, 55, drums * 0.75F, 0.05F, 0.1F);

@@ -7,14 +7,6 @@ namespace sundog::intro {
 
 using namespace kernel;
 
-vec3 rgb(uint color) {
-    const auto channel = [color](uint shift) {
-        const float x = static_cast<float>(color >> shift & 255U) * (1.0F / 255.0F);
-        return x * x;
-    };
-    return {channel(16), channel(8), channel(0)};
-}
-
 Pose turned(vec3 origin, float first_z, float then_x, float then_z) {
     const float c1 = std::cos(first_z);
     const float s1 = std::sin(first_z);
@@ -40,6 +32,30 @@ uint Builder::texture(const Texture& t) {
     if (world_.texture_count == 0) world_.texture_count = 1;
     world_.textures[world_.texture_count] = t;
     return world_.texture_count++;
+}
+
+uint Builder::metal(vec3 color) {
+    Material m{.highlight = 0.9F, .shininess = 70, .mirror_edge = 1};
+    m.diffuse = color * 0.35F;
+    m.mirror = color * 0.72F;
+    return material(m);
+}
+
+uint Builder::polished(const Texture& t) {
+    constexpr Material kPolish{.diffuse = {0.95F, 0.95F, 0.95F},
+                               .highlight = 0.6F,
+                               .shininess = 60,
+                               .mirror = {0.04F, 0.04F, 0.04F},
+                               .mirror_edge = 0.6F};
+    const uint number = material(kPolish);
+    world_.materials[number].texture = texture(t);
+    return number;
+}
+
+uint Builder::glowing(vec3 light) {
+    Material m{};
+    m.emission = light;
+    return material(m);
 }
 
 Solid& Builder::solid(SolidKind kind, const Pose& pose, uint material) {
@@ -126,6 +142,12 @@ Lamp& Builder::lamp(vec3 place, vec3 color, float reach, float glow) {
     l.reach = reach;
     l.glow = glow;
     return l;
+}
+
+void Builder::lantern(vec3 place, float radius, vec3 color, float bright, float reach, float glow) {
+    sphere(place, radius, glowing(color * (bright * 1.3F)));
+    shadowless();
+    lamp(place, color * bright, reach, glow);
 }
 
 Lamp& Builder::sun(vec3 direction, vec3 color) {

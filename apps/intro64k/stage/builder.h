@@ -21,6 +21,12 @@ public:
 
     /// All return the new thing's number.
     uint material(const Material& m);
+    /// Metal of a colour that mirrors.
+    uint metal(vec3 color);
+    /// Polished stone or wood.
+    uint polished(const Texture& t);
+    /// Something that shines by itself.
+    uint glowing(vec3 light);
     uint texture(const Texture& t);
 
     /// Its texture lies in the space of `pose`.
@@ -32,8 +38,8 @@ public:
     /// From z0 to z1, upright.
     void cylinder(vec3 foot, float height, float radius, uint material);
 
-    /// Begins a solid of parts in its own space, which the calls below add; the sphere around `middle` (in its own space)
-    /// must hold it.
+    /// Begins a solid of parts in its own space, which the calls below add; the sphere around `middle` (in its own
+    /// space) must hold it.
     Builder& carve(const Pose& pose, vec3 middle, float radius, uint material);
     Builder& ball(vec3 middle, float radius);
     Builder& block(vec3 middle, vec3 half);
@@ -45,6 +51,8 @@ public:
     void shadowless() { world_.solids[world_.solid_count - 1].casts_shadow = false; }
 
     Lamp& lamp(vec3 place, vec3 color, float reach, float glow);
+    /// A lamp in a small ball that is seen.
+    void lantern(vec3 place, float radius, vec3 color, float bright, float reach, float glow);
     Lamp& sun(vec3 direction, vec3 color);
     Lamp& spot(vec3 place, vec3 at, vec3 color, float half_angle, float softness);
 
@@ -58,8 +66,5 @@ private:
     World& world_;
     bool cutting_ = false;
 };
-
-/// Light of 0xRRGGBB as screens show it.
-vec3 rgb(uint color);
 
 }  // namespace sundog::intro

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tracer, compiled once for each width of vectors.
+// The tracer's way out of the one unit that is compiled for AVX2 and FMA, eight rays at a time. Who calls it has asked
+// the processor before.
 #pragma once
 
 #include "trace/tables.h"
@@ -7,15 +8,10 @@
 
 namespace sundog::intro {
 
-/// Draws the tile whose left upper corner is at (x, y); counts grow by what it traced.
-using DrawTile = void (*)(const World& world, const Tables& tables, const Quality& quality, const Picture& picture,
-                          TileWork& work, uint x, uint y);
+/// Draws the tile whose left upper corner is at (x, y); counts in `work` grow by what it traced.
+void draw_tile(const World& world, const Tables& tables, const Quality& quality, const Picture& picture, TileWork& work,
+               uint x, uint y);
 
-DrawTile draw_tile_by_4();
-DrawTile draw_tile_by_8();   ///< Needs AVX2 and FMA.
-DrawTile draw_tile_by_16();  ///< Needs AVX-512 F, BW, DQ and VL.
-
-/// Needs AVX2 as well.
 /// Fills the slices [first, last) of the noise volume (trace/noise_volume.h), which has kVolumeVoxels.
 void make_noise(uint* voxels, uint first, uint last);
 

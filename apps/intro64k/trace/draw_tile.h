@@ -12,8 +12,8 @@ inline void paint_traced(const Picture& picture, const TileWork& work, uint tile
             if (work.known[spot_index(x, y)] != 0) picture.pixels[(tile_y + y) * picture.pitch + tile_x + x] = 0xffffff;
 }
 
-inline void draw_tile(const World& world, const Tables& tables, const Quality& quality, const Picture& picture,
-                      TileWork& work, uint tile_x, uint tile_y) {
+inline void draw_squares(const World& world, const Tables& tables, const Quality& quality, const Picture& picture,
+                         TileWork& work, uint tile_x, uint tile_y) {
     // Numbers too small for a float's usual form are noughts: they can't be seen, and cost a hundred times as much.
     _mm_setcsr(_mm_getcsr() | 0x8040U);
     const View view{&world, &tables, static_cast<float>(picture.width), static_cast<float>(picture.height)};

@@ -39,7 +39,8 @@ inline void make_noise_slices(uint* voxels, uint first, uint last) {
             uint row[kVolumeSide + kLanes];
             for (uint x = 0u; x < kVolumeSide; x = x + kLanes) {
                 vfloat along{};
-                for (int lane = 0; lane < kLanes; ++lane) along[lane] = static_cast<float>(x) + static_cast<float>(lane);
+                for (int lane = 0; lane < kLanes; ++lane)
+                    along[lane] = static_cast<float>(x) + static_cast<float>(lane);
                 real3 p = real3(real(along), real(float(y)), real(float(z))) * real(4.0f / kVolumeSide);
                 real sum = real(0.0f);
                 float weight = 0.5f;

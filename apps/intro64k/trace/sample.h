@@ -12,7 +12,8 @@ inline constexpr int kLight = 3;       ///< Light on the textured surface, times
 inline constexpr int kPlace = 6;       ///< Texture coordinates times the depth share.
 inline constexpr int kDepthShare = 9;  ///< One over the depth, so that places are right in perspective.
 inline constexpr int kChannels = 10;
-inline constexpr int kTone = kPlace;  ///< Where there is no texture: red, green and blue as the screen gets them, 0 to 255.
+inline constexpr int kTone =
+    kPlace;  ///< Where there is no texture: red, green and blue as the screen gets them, 0 to 255.
 
 struct Sample {
     float channels[kChannels];  ///< May be interpolated linearly across the picture.

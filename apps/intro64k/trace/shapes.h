@@ -27,7 +27,7 @@ FN void quadratic_interval(real a, real b, real c, OUT(real) enter, OUT(real) le
     real discriminant = b * b - a * c;
     real root = sqrt(max(discriminant, real(0.0f)));
     real inverse = 1.0f / select(flat, real(1.0f), a);
-    mask some = select_mask(flat, c < real(0.0f), discriminant > real(0.0f));
+    mask some = select_mask(flat, c<real(0.0f), discriminant> real(0.0f));
     real wide_enter = select(some, real(-kFar), real(kFar));
     enter = select(mask_or(flat, mask_not(some)), wide_enter, (b - root) * inverse);
     leave = select(mask_or(flat, mask_not(some)), -wide_enter, (b + root) * inverse);
@@ -38,15 +38,18 @@ FN void quadratic_interval(real a, real b, real c, OUT(real) enter, OUT(real) le
                                             real& leave) {
     real3 f = o - real3(part.place);
     if (part.kind == PartKind::kBox) {
-        slab_interval(f.x, d.x, -part.half.x, part.half.x, enter, leave);
-        real e;
-        real l;
-        slab_interval(f.y, d.y, -part.half.y, part.half.y, e, l);
-        enter = max(enter, e);
-        leave = min(leave, l);
-        slab_interval(f.z, d.z, -part.half.z, part.half.z, e, l);
-        enter = max(enter, e);
-        leave = min(leave, l);
+        const real from[3] = {f.x, f.y, f.z};
+        const real way[3] = {d.x, d.y, d.z};
+        const float half[3] = {part.half.x, part.half.y, part.half.z};
+        enter = real(-kFar);
+        leave = real(kFar);
+        for (uint i = 0u; i < 3u; i = i + 1u) {
+            real e;
+            real l;
+            slab_interval(from[i], way[i], -half[i], half[i], e, l);
+            enter = max(enter, e);
+            leave = min(leave, l);
+        }
     } else if (part.kind == PartKind::kHalfSpace) {
         real slope = dot(real3(part.place), d);
         real gap = part.radius - dot(real3(part.place), o);
@@ -87,7 +90,7 @@ FN void quadratic_interval(real a, real b, real c, OUT(real) enter, OUT(real) le
         enter = max(enter, e);
         leave = min(leave, l);
     }
-    alive = mask_and(alive, mask_and(enter < leave, leave > ray.t_min));
+    alive = mask_and(alive, mask_and(enter<leave, leave> ray.t_min));
     if (!any_lane(alive)) return alive;
     // Cuts push the entry back until it lies in none of them. One that is pushed into another is pushed on by a second
     // round.

@@ -15,18 +15,21 @@ FN real bell(real x) {
 
 /// Radiance of the clear sky in a unit direction. Ice crystals bend light by 22 degrees at least (Greenler, Rainbows,
 /// Halos and Glories, 1980, chapter 2): red least, so rings and dogs are red towards the sun.
-[[gnu::noinline]] inline real3 sky_color(const Sky& sky, const real3& d) {
+[[gnu::noinline]] inline real3 sky_color(const Air& air, const Sky& sky, const real3& d) {
     real up = max(d.z, real(0.0f));
     real haze = 1.0f - up;
     haze = haze * haze;
-    real3 color = mix(real3(sky.zenith), real3(sky.horizon), haze * haze);
+    real3 color = mix(real3(air.zenith), real3(air.horizon), haze * haze);
     if (sky.sun_color.x <= 0.0f) return color;
     real toward = dot(d, real3(sky.sun_place));
     real near = max(toward, real(0.0f));
+    // The disc and the glare around it.
     real near4 = near * near * near * near;
-    real disc = power(near, real(5000.0f)) * 12.0f;
-    real glare = power(near, real(90.0f)) * 0.55f + near4 * near4 * 0.22f;
-    color = color + real3(sky.sun_color) * (disc + glare);
+    real bright = near4 * near4 * 0.22f;
+    for (uint i = 0u; i < 2u; i = i + 1u) {
+        bright = bright + power(near, real(i == 0u ? 5000.0f : 90.0f)) * (i == 0u ? 12.0f : 0.55f);
+    }
+    color = color + real3(sky.sun_color) * bright;
     if (sky.halo > 0.0f) {
         real3 ring = real3(bell((toward - 0.9285f) * 110.0f), bell((toward - 0.9255f) * 120.0f),
                            bell((toward - 0.9205f) * 85.0f));
@@ -36,7 +39,8 @@ FN real bell(real x) {
             // Towards the sun, along the way to it, it is red.
             real side = clamp((toward - 0.9245f) * 70.0f, real(-1.0f), real(1.0f));
             real spot = bell((1.0f - a) * 1100.0f) * 5.0f + bell((1.0f - a) * 240.0f) * 0.8f;
-            dogs = dogs + real3(spot * (0.85f + 0.6f * side), spot * (0.8f - 0.05f * side), spot * (0.75f - 0.75f * side));
+            dogs =
+                dogs + real3(spot * (0.85f + 0.6f * side), spot * (0.8f - 0.05f * side), spot * (0.75f - 0.75f * side));
         }
         color = color + real3(sky.sun_color) * (ring * real(0.16f) + dogs * real(0.16f)) * real(sky.halo);
     }

@@ -37,7 +37,8 @@ FN real pattern_at(word x, word y) {
 inline void trace_wanted(const View& view, TileWork& work, uint tile_x, uint tile_y) {
     uint count = work.wanted_count;
     // The last packet is filled up with places that were wanted anyway.
-    for (uint i = 0; i < static_cast<uint>(kLanes); ++i) work.wanted[count + i] = work.wanted[count > 0 ? count - 1 : 0];
+    for (uint i = 0; i < static_cast<uint>(kLanes); ++i)
+        work.wanted[count + i] = work.wanted[count > 0 ? count - 1 : 0];
     for (uint first = 0; first < count; first += static_cast<uint>(kLanes)) {
         vfloat x{};
         vfloat y{};
@@ -57,7 +58,7 @@ inline void trace_wanted(const View& view, TileWork& work, uint tile_x, uint til
     work.wanted_count = 0;
 }
 
-inline void want(TileWork& work, uint x, uint y) {
+[[gnu::noinline]] inline void want(TileWork& work, uint x, uint y) {
     unsigned char& known = work.known[spot_index(x, y)];
     if (known != 0) return;
     known = 1;
@@ -159,7 +160,8 @@ FN word lane_numbers() {
         for (uint i = first; i < min(first + static_cast<uint>(kLanes), size * size); ++i) {
             const uint x = i & (size - 1);
             const uint y = i >> bits;
-            if (x0 + x < picture.width && y0 + y < picture.height) row[(y - (first >> bits)) * picture.pitch + x] = values[i - first];
+            if (x0 + x < picture.width && y0 + y < picture.height)
+                row[(y - (first >> bits)) * picture.pitch + x] = values[i - first];
         }
     }
 }
@@ -172,14 +174,18 @@ inline void fill_pixels(const View& view, const Picture& picture, const TileWork
         const uint lanes = min(static_cast<uint>(kLanes), count - first);
         word sum[3] = {word(0u), word(0u), word(0u)};
         for (const uint corner : corner_offset) {
-            real channels[kChannels];
-            word texture;
+            float values[kChannels][kLanes];
+            uint textures[kLanes];
             for (uint lane = 0; lane < static_cast<uint>(kLanes); ++lane) {
                 const Spot at = pixels[first + min(lane, lanes - 1)].at;
                 const Sample& s = work.samples[spot_index(at.x, at.y) + corner];
-                for (int i = 0; i < kChannels; ++i) channels[i].v[lane] = s.channels[i];
-                texture.v[lane] = s.texture;
+                for (int i = 0; i < kChannels; ++i) values[i][lane] = s.channels[i];
+                textures[lane] = s.texture;
             }
+            real channels[kChannels];
+            word texture;
+            __builtin_memcpy(channels, values, sizeof channels);
+            __builtin_memcpy(&texture, textures, sizeof texture);
             word pixel = pixel_of(mixed_tone(*view.tables, *view.world, channels, texture), real(0.5f));
             for (uint i = 0; i < 3; ++i) sum[i] = sum[i] + ((pixel >> (8 * i)) & word(255u));
         }

@@ -80,11 +80,14 @@ struct Found {
     real3 to_lamp = real3(place) - ray.origin;
     real along = dot(to_lamp, ray.direction);
     real off = sqrt(max(dot(to_lamp, to_lamp) - along * along, real(1e-4f)));
-    return (angle_of(t - along, off) + angle_of(along, off)) / off;
+    // Both angles by one arc tangent of the sum: within half a turn, as off is positive.
+    real beyond = t - along;
+    return angle_of((beyond + along) * off, off * off - beyond * along) / off;
 }
 
 /// Bends a level surface's normal as water's: bumps of noise that wander.
-[[gnu::noinline]] inline real3 water_normal(const Tables& tables, const real3& p, real steepness, float seconds, real distance) {
+[[gnu::noinline]] inline real3 water_normal(const Tables& tables, const real3& p, float steepness, float seconds,
+                                            real distance) {
     // Far away waves are smaller than a pixel, and only their mean is seen.
     real fade = steepness / (1.0f + distance * 0.045f);
     real slope_x = real(0.0f);
@@ -92,9 +95,9 @@ struct Found {
     for (uint i = 0u; i < 2u; i = i + 1u) {
         float scale = i == 0u ? 0.021f : 0.043f;
         float drift = i == 0u ? 0.006f : -0.009f;
-        real2 slopes = noise_slopes(tables.noise, real3(p.x * scale + drift * seconds,
-                                                        p.y * (scale * 1.6f) + drift * 0.4f * seconds,
-                                                        real(0.011f * seconds + 0.37f * float(i))));
+        real2 slopes = noise_slopes(tables.noise,
+                                    real3(p.x * scale + drift * seconds, p.y * (scale * 1.6f) + drift * 0.4f * seconds,
+                                          real(0.011f * seconds + 0.37f * float(i))));
         slope_x = slope_x + slopes.x;
         slope_y = slope_y + slopes.y;
     }
@@ -115,7 +118,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
     Ray ray = pinhole_ray(world.camera, u, v, kFar);
     ray.t_max = real(1e6f);
     real3 off_center = real3(u - 0.5f, v - 0.5f, real(0.0f));
-    real bright = world.exposure * (1.0f - world.vignette * 2.0f * dot(off_center, off_center));
+    real bright = world.exposure * (1.0f - world.air.vignette * 2.0f * dot(off_center, off_center));
     real3 weight = real3(bright);
     real3 added = real3(real(0.0f));
     real3 light_out = real3(real(0.0f));
@@ -149,7 +152,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         added = added + weight * air;
 
         if (any_lane(on_sky)) {
-            real3 clear = sky_color(world.sky, ray.direction);
+            real3 clear = sky_color(world.air, world.sky, ray.direction);
             if (world.sky.texture != 0u) {
                 // Clouds lie in a plane; none are looked up far out in it.
                 real3 place = real3(ray.direction.x, ray.direction.y, real(0.0f)) *
@@ -162,39 +165,41 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         alive = on_solid;
         if (!any_lane(alive)) break;
 
-        // The surface.
+        // The surface: lanes that hit the same solid are taken together.
         real t = select(alive, hit.t, real(1.0f));
         real3 position = point_at(ray, t);
-        real3 normal = real3(real(0.0f), real(0.0f), real(1.0f));
+        real zero = real(0.0f);
+        real3 normal = real3(zero, zero, real(1.0f));
         real3 own_place = position;
-        word material = word(0u);
+        word texture = word(0u);
+        real3 diffuse = real3(zero);
+        real3 emission = diffuse;
+        real3 mirror = diffuse;
+        real mirror_edge = zero;
+        real highlight = zero;
+        real shininess = real(1.0f);
         mask left = alive;
         while (any_lane(left)) {
             uint number = first_lane(left, hit.solid);
             mask here = mask_and(left, hit.solid == word(number));
-            const Solid& solid = world.solids[number];
-            normal = select(here, solid_normal(world, solid, hit.part, position), normal);
-            material = select(here, word(solid.material), material);
-            if (world.materials[solid.material].texture != 0u) {
-                own_place = select(here, to_own_space(solid, position - real3(solid.origin)), own_place);
-            }
             left = mask_and(left, mask_not(here));
+            const Solid& solid = world.solids[number];
+            const Material& material = world.materials[solid.material];
+            real3 n = solid_normal(world, solid, hit.part, position);
+            if (material.waves > 0.0f) n = water_normal(tables, position, material.waves, world.seconds, t);
+            normal = select(here, n, normal);
+            if (material.texture != 0u) {
+                own_place = select(here, to_own_space(solid, position - real3(solid.origin)), own_place);
+                texture = select(here, word(material.texture), texture);
+            }
+            diffuse = select(here, real3(material.diffuse), diffuse);
+            emission = select(here, real3(material.emission), emission);
+            mirror = select(here, real3(material.mirror), mirror);
+            mirror_edge = select(here, real(material.mirror_edge), mirror_edge);
+            highlight = select(here, real(material.highlight), highlight);
+            shininess = select(here, real(material.shininess), shininess);
         }
-        material = valid_index(alive, material);
-        normal = select(dot(normal, ray.direction) > real(0.0f), -normal, normal);
-        const Material* materials = world.materials;
-        real waves = load(&materials[0].waves, sizeof(Material), material);
-        mask wavy = mask_and(alive, waves > real(0.0f));
-        if (any_lane(wavy)) {
-            normal = select(wavy, water_normal(tables, position, waves, world.seconds, t), normal);
-        }
-        word texture = load(&materials[0].texture, sizeof(Material), material);
-        real3 diffuse = load(&materials[0].diffuse, sizeof(Material), material);
-        real3 emission = load(&materials[0].emission, sizeof(Material), material);
-        real highlight = load(&materials[0].highlight, sizeof(Material), material);
-        real shininess = load(&materials[0].shininess, sizeof(Material), material);
-        real3 mirror = load(&materials[0].mirror, sizeof(Material), material);
-        real mirror_edge = load(&materials[0].mirror_edge, sizeof(Material), material);
+        normal = select(dot(normal, ray.direction) > zero, -normal, normal);
 
         real3 to_eye = -ray.direction;
         real facing = clamp(dot(normal, to_eye), real(0.0f), real(1.0f));
@@ -209,7 +214,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         real matter = max(largest(diffuse), highlight);
         mask lightable = mask_and(alive, matter > real(0.0f));
         real upward = 0.5f + 0.5f * normal.z;
-        real3 light = mix(real3(world.ambient_down), real3(world.ambient_up), upward);
+        real3 light = mix(real3(world.air.ambient_down), real3(world.air.ambient_up), upward);
         real3 shine = real3(real(0.0f));
         for (uint i = 0u; i < world.lamp_count; i = i + 1u) {
             const Lamp& lamp = world.lamps[i];
@@ -240,13 +245,14 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
             light = light + color * cosine;
             shine = shine + color * bright_spot;
             word state = select(lit, select(bright_spot > real(0.05f), word(2u), word(1u)), word(0u));
-            mask clear_light = mask_and(clear_view, largest(weight) * share * max(matter * cosine, bright_spot) > real(0.03f * world.exposure));
+            mask clear_light = mask_and(
+                clear_view, largest(weight) * share * max(matter * cosine, bright_spot) > real(0.03f * world.exposure));
             signature = select(clear_light, signed_with(signature, state + word(i * 4u)), signature);
         }
 
         real clear_share = real(1.0f);
-        if (world.fog > 0.0f) clear_share = exp2_clamped(-t * world.fog);
-        real3 fogged = real3(world.fog_color) * (1.0f - clear_share);
+        if (world.air.fog > 0.0f) clear_share = exp2_clamped(-t * world.air.fog);
+        real3 fogged = real3(world.air.fog_color) * (1.0f - clear_share);
         light = light * diffuse * (real3(real(1.0f)) - reflected) * clear_share;
         shine = (shine + emission) * clear_share + fogged;
         if (bounce == 0u) {
@@ -261,7 +267,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
 
         weight = weight * reflected * clear_share;
         alive = mask_and(alive, largest(weight) > real(0.03f * world.exposure));
-        if (bounce == world.bounces || !any_lane(alive)) break;
+        if (bounce == world.air.bounces || !any_lane(alive)) break;
         ray.origin = start;
         ray.direction = mirror_direction(ray.direction, normal);
         // Bumps may send it under the surface.
