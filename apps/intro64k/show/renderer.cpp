@@ -5,6 +5,7 @@
 
 #include "film/film.h"
 #include "stage/palettes.h"
+#include "trace/prepare.h"
 
 namespace sundog::intro {
 bool Renderer::runs_here() {

@@ -10,6 +10,4 @@ void draw_tile(const World& world, const Tables& tables, const Quality& quality,
     draw_squares(world, tables, quality, picture, work, x, y);
 }
 
-void make_noise(uint* voxels, uint first, uint last) { make_noise_slices(voxels, first, last); }
-
 }  // namespace sundog::intro

@@ -12,7 +12,4 @@ namespace sundog::intro {
 void draw_tile(const World& world, const Tables& tables, const Quality& quality, const Picture& picture, TileWork& work,
                uint x, uint y);
 
-/// Fills the slices [first, last) of the noise volume (trace/noise_volume.h), which has kVolumeVoxels.
-void make_noise(uint* voxels, uint first, uint last);
-
 }  // namespace sundog::intro

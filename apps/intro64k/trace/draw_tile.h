@@ -2,7 +2,8 @@
 // Draws a tile: squares of 8x8 pixels whose corners agree are filled, others are divided in four, down to pixels.
 #pragma once
 
-#include "trace/visible.h"
+#include "trace/prepare.h"
+#include "trace/tile.h"
 
 INTRO_LANES_BEGIN
 
@@ -17,7 +18,7 @@ inline void draw_squares(const World& world, const Tables& tables, const Quality
     // Numbers too small for a float's usual form are noughts: they can't be seen, and cost a hundred times as much.
     _mm_setcsr(_mm_getcsr() | 0x8040U);
     const View view{&world, &tables, static_cast<float>(picture.width), static_cast<float>(picture.height)};
-    find_visible(view, work, tile_x, tile_y);
+    find_visible(world, picture, work, tile_x, tile_y);
     for (unsigned char& known : work.known) known = 0;
     work.wanted_count = 0;
     // Squares beyond the picture's edge are left out; those that reach over it are whole.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Noise made once and looked up ever after: a cube of octaves of the kernel's lattice noise that repeats without seams.
+// Looking up the noise volume (trace/prepare.h).
 #pragma once
 
 #include "kernel/patterns/noise.h"
@@ -7,59 +7,6 @@
 #include "trace/tables.h"
 
 INTRO_LANES_BEGIN
-
-/// lattice_sum() of kernel/patterns/noise.h with a period of `period` cells (a power of two) along each axis.
-FN real periodic_noise(real3 p, uint period, uint seed) {
-    real3 cell = real3(floor(p.x), floor(p.y), floor(p.z));
-    real3 f = p - cell;
-    word wrap = word(period - 1u);
-    real sx = f.x * f.x * (3.0f - 2.0f * f.x);
-    real sy = f.y * f.y * (3.0f - 2.0f * f.y);
-    real sz = f.z * f.z * (3.0f - 2.0f * f.z);
-    word x = word_from_real(cell.x);
-    word y = word_from_real(cell.y);
-    word z = word_from_real(cell.z);
-    real sum = real(0.0f);
-    for (uint corner = 0u; corner < 8u; corner = corner + 1u) {
-        uint dx = corner & 1u;
-        uint dy = (corner >> 1u) & 1u;
-        uint dz = corner >> 2u;
-        word hash = lattice_hash((x + word(dx)) & wrap, (y + word(dy)) & wrap, ((z + word(dz)) & wrap) + word(seed));
-        real3 offset = real3(f.x - float(dx), f.y - float(dy), f.z - float(dz));
-        real weight = (dx == 1u ? sx : 1.0f - sx) * (dy == 1u ? sy : 1.0f - sy) * (dz == 1u ? sz : 1.0f - sz);
-        sum = sum + weight * lattice_noise(hash, offset, NOISE_SLOPE_SHARE, 1.0f);
-    }
-    return sum;
-}
-
-/// Fills the slices [first, last) of the volume: 16 bits a voxel, those of its neighbour along x above them.
-inline void make_noise_slices(uint* voxels, uint first, uint last) {
-    for (uint z = first; z < last; z = z + 1u) {
-        for (uint y = 0u; y < kVolumeSide; y = y + 1u) {
-            uint row[kVolumeSide + kLanes];
-            for (uint x = 0u; x < kVolumeSide; x = x + kLanes) {
-                vfloat along{};
-                for (int lane = 0; lane < kLanes; ++lane)
-                    along[lane] = static_cast<float>(x) + static_cast<float>(lane);
-                real3 p = real3(real(along), real(float(y)), real(float(z))) * real(4.0f / kVolumeSide);
-                real sum = real(0.0f);
-                float weight = 0.5f;
-                uint period = 4u;
-                for (uint octave = 0u; octave < 5u; octave = octave + 1u) {
-                    sum = sum + periodic_noise(p, period, octave * 977u) * weight;
-                    p = p * real(2.0f);
-                    weight = weight * 0.5f;
-                    period = period * 2u;
-                }
-                word scaled = word_from_real(clamp(0.5f + sum * 0.62f, real(0.0f), real(1.0f)) * 65535.0f);
-                for (int lane = 0; lane < kLanes; ++lane) row[x + static_cast<uint>(lane)] = scaled.v[lane];
-            }
-            row[kVolumeSide] = row[0];
-            uint* out = voxels + ((z << kVolumeBits) + y) * kVolumeSide;
-            for (uint x = 0u; x < kVolumeSide; x = x + 1u) out[x] = row[x] | row[x + 1u] << 16u;
-        }
-    }
-}
 
 /// The eight voxels around a place, and where it lies among them.
 struct Voxels {
