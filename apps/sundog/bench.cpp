@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench.h"
+#include "bench/refinement.h"
 
 #include <fmt/format.h>
+
+#include <memory>
+#include <optional>
 
 #include "arguments.h"
 #include "command.h"
@@ -22,6 +26,14 @@ int measure(const bench::BenchOptions& options) {
     const bench::BenchReport report = bench::run_bench(
         options, [](std::string_view line) { print_note(std::string(line)); }, interrupt.flag());
     fmt::print("{}", bench::format_report(report));
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_refinement(const bench::BenchOptions& options, float tolerance) {
+    const InterruptGuard interrupt;
+    fmt::print("{}", bench::format_refinement(bench::run_refinement(
+                         {.gallery = options.gallery, .scenes = {}, .threads = options.threads, .tolerance = tolerance},
+                         [](std::string_view line) { print_note(std::string(line)); }, interrupt.flag())));
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
 
@@ -56,7 +68,17 @@ void add_bench(CLI::App& program, Action& action) {
         "--no-tachyon", [&o] { o.tachyon = false; }, "Leave the Tachyon program out");
     command->add_flag_callback(
         "--no-load", [&o] { o.load = false; }, "Leave the loading of a big model out");
-    command->callback([options, &action] { action = [options] { return measure(*options); }; });
+    const auto tolerance = std::make_shared<std::optional<float>>();
+    command
+        ->add_option_function<std::string>(
+            "--refine", [tolerance](Text text) { *tolerance = parse_float("--refine", text, 0, 1); },
+            "Instead, grid refinement of this tolerance (see 'render --preview') against tracing every pixel")
+        ->type_name("T");
+    command->callback([options, tolerance, &action] {
+        action = [options, tolerance] {
+            return *tolerance ? measure_refinement(*options, **tolerance) : measure(*options);
+        };
+    });
 }
 
 }  // namespace sundog::app

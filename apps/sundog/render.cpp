@@ -42,6 +42,10 @@ Size size_of(const Frame& frame) {
 }
 
 int render(RenderArguments arguments) {
+    if (arguments.preview && arguments.samples > 1)
+        throw UsageError("--preview takes one sample a pixel", "leave --spp out");
+    if (arguments.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
+        throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
     // What can be known to fail is found out before the scene is read and
@@ -106,6 +110,13 @@ void add_render(CLI::App& program, Action& action) {
         ->add_option_function<std::string>(
             "--spp", [&a](Text text) { a.samples = parse_int("--spp", text, 1, 65536); }, "Samples a pixel (1)")
         ->type_name("N");
+    command
+        ->add_option_function<std::string>(
+            "--preview", [&a](Text text) { a.preview = parse_float("--preview", text, 0, 1); },
+            "Trace fewer rays than pixels: interpolate where a square's corners see the same and differ by less than "
+            "this "
+            "for the eye (0.1 is hardly seen; 0 traces all)")
+        ->type_name("T");
     command
         ->add_option_function<std::string>(
             "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },

@@ -20,6 +20,7 @@ struct RenderArguments {
     std::string device = "auto";
     int threads = 0;  ///< 0: all.
     int samples = 1;
+    std::optional<float> preview;  ///< Tolerance of grid refinement, instead of tracing every pixel.
     float time_s = 0;
     float exposure_ev = 0;
     float frames_per_second = 25;

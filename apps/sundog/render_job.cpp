@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <iostream>
 
@@ -75,14 +76,29 @@ private:
     int written_ = 0;
 };
 
+/// One picture, the way that was asked for.
+RenderResult picture_of(const Frame& frame, const RenderArguments& arguments, Session& session,
+                        const ProgressSink& progress, const StopFlag& stop) {
+    if (!arguments.preview) return session.render(frame, static_cast<std::uint32_t>(arguments.samples), progress, stop);
+    const auto start = std::chrono::steady_clock::now();
+    RenderResult result{
+        Film({0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)}, frame.params.aovs),
+        {},
+        0,
+        false};
+    result.stats = session.refine_into(frame, *arguments.preview, std::exp2(arguments.exposure_ev), result.film, stop);
+    result.stopped = !result.stats.complete;
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
 }  // namespace
 
 int render_image(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage) {
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
-    const RenderResult result =
-        stage.session.render(frame, static_cast<std::uint32_t>(arguments.samples), std::ref(line), interrupt.flag());
+    const RenderResult result = picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
     line.clear();
     write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
                   layers_of(result.film, arguments.aovs));
@@ -118,8 +134,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         const auto report = [&](const Progress& p) {
             line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
         };
-        const RenderResult result =
-            stage.session.render(frame, static_cast<std::uint32_t>(arguments.samples), report, interrupt.flag());
+        const RenderResult result = picture_of(frame, arguments, stage.session, report, interrupt.flag());
         rays += result.stats.rays;
         stopped = result.stopped;
         if (!stopped) writer.add(number, result.film, arguments);

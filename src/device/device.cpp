@@ -33,4 +33,10 @@ RenderStats Device::render_regions(const Frame& frame, std::span<const PixelRect
     return stats;
 }
 
+RenderStats Device::refine(const Frame& frame, const RefinedWork&, Film& film, const StopFlag& stop) {
+    RenderStats stats = render(frame, {film.bounds, 0, 1}, film, stop);
+    stats.points = film.radiance.size();
+    return stats;
+}
+
 }  // namespace sundog

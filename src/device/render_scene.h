@@ -42,6 +42,7 @@ struct PlacedSolid {
     std::shared_ptr<const solids::CompiledSolid> solid;
     std::uint32_t geometry = 0;  ///< Index into `geometries`.
     SourceLocation where;        ///< Of the object in the scene's file.
+    Bounds3 bounds;              ///< World space, at rest; infinite where it has no end.
 };
 
 /// What of a scene only the CPU device draws, and where the file asks for it.

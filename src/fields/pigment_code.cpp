@@ -139,6 +139,39 @@ std::uint32_t wave_of(const Pattern& pattern) {
 }
 
 /// Writes one pigment's program.
+/// A function that is a component of a pigment at the pattern's point, or a power of it: what scenes write to change a
+/// pigment's gamma.
+struct PigmentPower {
+    const Pigment* pigment = nullptr;
+    std::uint32_t component = 0;
+    double exponent = 1;
+};
+
+std::optional<PigmentPower> pigment_power_of(const Pattern& pattern) {
+    if (pattern.kind != Pattern::Kind::function || !pattern.function) return std::nullopt;
+    const scene::Function& f = *pattern.function;
+    using Op = scene::FunctionOp;
+    constexpr std::uint32_t kComponents = 5;
+    const auto input = static_cast<std::uint32_t>(f.first_input());
+    const auto first = static_cast<std::uint32_t>(f.first_result());
+    const bool has_power = f.code.size() == kComponents + 1;
+    if (f.input_count != 3 || f.outputs.size() != 1 || (f.code.size() != kComponents && !has_power))
+        return std::nullopt;
+    const scene::FunctionInstruction& asks = f.code[0];
+    if (asks.op != Op::pigment || asks.a != input || asks.b != input + 1 || asks.c != input + 2) return std::nullopt;
+    PigmentPower out{f.pigments[asks.index].get(), f.outputs[0] - first, 1};
+    if (has_power) {
+        const scene::FunctionInstruction& raises = f.code.back();
+        if (raises.op != Op::power || f.outputs[0] != first + kComponents || raises.b >= f.constants.size() ||
+            raises.a < first)
+            return std::nullopt;
+        out.component = raises.a - first;
+        out.exponent = f.constants[raises.b];
+    }
+    if (out.component >= kComponents || !(out.exponent > 0)) return std::nullopt;
+    return out;
+}
+
 class ProgramWriter {
 public:
     ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host) : code_(code), host_(host) {}
@@ -249,6 +282,12 @@ private:
             write(*pattern.pigment, slot, point);
             instruction(kernel::OP_GRAY, slot, slot);
             code_.push_back(pattern.uses_alpha ? 1 : 0);
+        } else if (const std::optional<PigmentPower> power = pigment_power_of(pattern)) {
+            write(*power->pigment, slot, point);
+            instruction(kernel::OP_GRAY, slot, slot);
+            code_.push_back(2U + power->component);
+            instruction(kernel::OP_POWER, slot);
+            put(power->exponent);
         } else if (pattern.kind == Pattern::Kind::crackle && !(pattern.crackle == scene::CrackleForm{})) {
             host_.need(*where_);
             instruction(kernel::OP_CRACKLE, slot, point);

@@ -130,13 +130,18 @@ KERNEL_CONST uint OP_IMAGE =
 KERNEL_CONST uint OP_TURBULENCE = 12u;
 KERNEL_CONST uint OP_ENTER_SHARE = 13u;  ///< An average's: its share, the same everywhere; 0.
 KERNEL_CONST uint OP_BLEND = 14u;        ///< Ends an entry: colour[target] += share[target] * colour[target + 1].
-KERNEL_CONST uint OP_GRAY = 15u;         ///< value[target] = grey of colour[source]; its alpha if the operand is 1.
+/// value[target] = grey of colour[source]; its alpha if the operand is 1; if it is 2 to 6, red, green, blue, filter or
+/// transmit.
+KERNEL_CONST uint OP_GRAY = 15u;
 // By the host alone (see HostFields): its number is the operand, source2 the slot whose lanes ask.
 KERNEL_CONST uint OP_HOST_FIELD = 16u;  ///< value[target] = host's field at point[source].
 KERNEL_CONST uint OP_HOST_WARP = 17u;   ///< point[target] = host's warp of point[source].
 KERNEL_CONST uint OP_CRACKLE =
     18u;  ///< value[target] = crackle at point[source]: 3 factors of distances, metric, offset, 1 if solid.
 
+/// value[target] = itself to the power of the operand, as a function's value: what is above 1 without its whole part, 0
+/// where there is none.
+KERNEL_CONST uint OP_POWER = 20u;
 KERNEL_CONST uint OP_WEIGHT = 19u;  ///< The program's weight = colour[0].red; where it is 0 in all lanes, it ends.
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
@@ -256,6 +261,8 @@ KERNEL_CONST uint MAX_SHADOW_SURFACES = 32u;
 
 /// Interiors with media, or solids, that a ray's origin may be inside of at a time; further ones are not noticed.
 KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
+/// PatternedMaterial::interior of all objects that have none of their own.
+KERNEL_CONST uint INTERIOR_PLAIN = 1u;
 /// PatternedMaterial::medium of what is not hollow.
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,

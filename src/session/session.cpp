@@ -51,6 +51,7 @@ void Session::load(std::shared_ptr<const RenderScene> scene) {
     }
     device_->load(scene);
     scene_ = std::move(scene);
+    thin_items_.reset();
 }
 
 RenderResult Session::render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress,
@@ -117,6 +118,15 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     }
     result.stats.complete = !result.stopped;
     return result;
+}
+
+RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop) {
+    std::vector<std::uint8_t> finest;
+    if (device_->can_refine(frame)) {
+        if (!thin_items_) thin_items_ = thin_items(*scene_);
+        finest = finest_squares(*thin_items_, frame);
+    }
+    return device_->refine(frame, {tolerance, gain, finest}, film, stop);
 }
 
 RenderStats Session::render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,

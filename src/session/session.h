@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "device/device.h"
 #include "session/contrast.h"
+#include "session/thin_items.h"
 
 namespace sundog {
 
@@ -48,6 +49,11 @@ public:
     RenderResult render_adaptive(const Frame& frame, const AdaptiveSampling& sampling, const ProgressSink& progress,
                                  const StopFlag& stop, const std::optional<PixelRect>& region = {});
 
+    /// Renders one sample a pixel by grid refinement, where the device has that (Device::can_refine), all pixels
+    /// otherwise. What is thin on the screen is found whatever the corners of squares meet (thin_items).
+    /// `tolerance` and `gain`: see RefinedWork.
+    RenderStats refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop);
+
     /// Renders samples [first, first+count) of `film`'s region into it; the viewer's way.
     RenderStats render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,
                             const StopFlag& stop);
@@ -58,6 +64,7 @@ public:
 private:
     std::unique_ptr<Device> device_;
     std::shared_ptr<const RenderScene> scene_;
+    std::optional<std::vector<ThinItem>> thin_items_;  ///< Of scene_, once they were asked for.
 };
 
 }  // namespace sundog

@@ -37,6 +37,9 @@ public:
         return append_interval(enter, leave, range, out);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
+    [[nodiscard]] bool is_convex() const override {
+        return box_.lower.x < box_.upper.x && box_.lower.y < box_.upper.y && box_.lower.z < box_.upper.z;
+    }
     [[nodiscard]] bool inside(Vec3d p) const override {
         return p.x > box_.lower.x && p.x < box_.upper.x && p.y > box_.lower.y && p.y < box_.upper.y &&
                p.z > box_.lower.z && p.z < box_.upper.z;

@@ -46,6 +46,29 @@ Affine3d world_from_shape(const Placed& placed) {
     return m;
 }
 
+/// There and back again, axes don't come to lie quite where they were: what is rounding beside a column's largest
+/// number becomes 0, so that planes across axes are known as such.
+Affine3d cleaned(Affine3d m) {
+    for (Vec3d* column : {&m.x, &m.y, &m.z}) {
+        const double most = std::max({std::abs(column->x), std::abs(column->y), std::abs(column->z)});
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (std::abs((*column)[axis]) < 1e-13 * most) (*column)[axis] = 0;
+    }
+    return m;
+}
+
+/// Grown by a millionth: more than cleaned() can move what is in it.
+Bounds3d roomy(Bounds3d box) {
+    if (box.empty()) return box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double ends = std::abs(box.lower[axis]) + std::abs(box.upper[axis]);
+        if (!std::isfinite(ends)) continue;
+        box.lower[axis] -= 1e-6 * ends;
+        box.upper[axis] += 1e-6 * ends;
+    }
+    return box;
+}
+
 std::uint32_t own_or(std::uint32_t own, std::uint32_t above) { return own != scene::Solid::kInherited ? own : above; }
 
 }  // namespace
@@ -99,9 +122,7 @@ private:
         leaf.shape_from_world = inverse(m);
         leaf.material = own_or(placed.solid->material, placed.material);
         leaf.interior_material = own_or(placed.solid->interior_material, placed.interior_material);
-        NodeBounds bounds{leaf.shape->inside_bounds(m), leaf.shape->outside_bounds(m), leaf.shape->bounds(m)};
-        // A solid's surface is where inside and outside meet.
-        if (!bounds.inside.empty()) bounds.surface = common(bounds.surface, common(bounds.inside, bounds.outside));
+        const NodeBounds bounds = bounds_of_leaf(*leaf.shape, m);
         out_->nodes_[index].first = static_cast<std::uint32_t>(out_->leaves_.size());
         out_->nodes_[index].quick = leaf.shape->is_quick();
         out_->leaves_.push_back(std::move(leaf));
@@ -112,14 +133,14 @@ private:
                            std::size_t depth) {
         std::vector<Placed> children;
         gather(placed, group, children, 0);
-        return place_children(index, combination_of(group.kind), children, depth);
+        return place_children(index, combination_of(group.kind), children, frame_of(placed), depth);
     }
 
     NodeBounds place_clipped(std::uint32_t index, const Placed& placed, std::size_t depth) {
         std::vector<Placed> children{placed};
         for (const std::shared_ptr<const scene::Solid>& clip : placed.solid->clipped_by)
             children.push_back({clip.get(), placed.world_from_parent, placed.material, placed.interior_material});
-        return place_children(index, Combination::clipped, children, depth);
+        return place_children(index, Combination::clipped, children, frame_of(placed), depth);
     }
 
     /// A box around what a solid's `bounded_by` have in common, as the node's gate.
@@ -155,8 +176,13 @@ private:
         }
     }
 
+    /// Where a group's children were written.
+    static Affine3d frame_of(const Placed& placed) {
+        return placed.world_from_parent * placed.solid->parent_from_shape;
+    }
+
     NodeBounds place_children(std::uint32_t index, Combination combination, const std::vector<Placed>& children,
-                              std::size_t depth) {
+                              const Affine3d& world_from_frame, std::size_t depth) {
         const auto first = static_cast<std::uint32_t>(out_->nodes_.size());
         out_->nodes_.resize(first + children.size());
         std::vector<NodeBounds> bounds;
@@ -174,13 +200,75 @@ private:
         node.first = first;
         node.count = static_cast<std::uint32_t>(children.size());
         node.always_inside = always_inside;
+        const auto all_convex = [&](std::uint32_t from) {
+            return std::all_of(out_->nodes_.begin() + from, out_->nodes_.begin() + first + node.count,
+                               [&](const CompiledSolid::Node& child) {
+                                   return child.combination == Combination::leaf &&
+                                          !(child.inverted && combination == Combination::clipped) &&
+                                          out_->leaves_[child.first].shape->is_convex();
+                               });
+        };
+        node.convex_parts = combination == Combination::common && children.size() < kTreeFrom && all_convex(first);
+        node.convex_clips = combination == Combination::clipped && all_convex(first + 1);
         if (children.size() >= kTreeFrom && combination != Combination::clipped) {
             node.tree = static_cast<std::uint32_t>(out_->trees_.size());
             out_->trees_.emplace_back(active);
         }
-        return combination == Combination::combined || combination == Combination::merged
-                   ? bounds_of_union(bounds)
-                   : bounds_of_common(bounds, combination == Combination::clipped);
+        if (combination == Combination::combined || combination == Combination::merged) return bounds_of_union(bounds);
+        NodeBounds together = bounds_of_common(bounds, combination == Combination::clipped);
+        if (!is_finite(reach_of(together)) && !reach_of(together).empty()) narrow(index, world_from_frame, together);
+        return together;
+    }
+
+    static Bounds3d reach_of(const NodeBounds& bounds) { return joined(bounds.inside, bounds.surface); }
+
+    /// Shapes without an end are bounded by what cuts them; boxes tell that best along the axes that they were written
+    /// along.
+    void narrow(std::uint32_t index, const Affine3d& world_from_frame, NodeBounds& bounds) const {
+        const double scale = length(world_from_frame.x) * length(world_from_frame.y) * length(world_from_frame.z);
+        if (!(std::abs(determinant(world_from_frame)) > 1e-14 * scale)) return;
+        const Bounds3d in_frame = reach_of(bounds_in(index, inverse(world_from_frame)));
+        const Bounds3d reach = transformed(world_from_frame, roomy(in_frame));
+        bounds.inside = common(bounds.inside, reach);
+        bounds.surface = common(bounds.surface, reach);
+    }
+
+    /// What a node's bounds would be in another space.
+    NodeBounds bounds_in(std::uint32_t index, const Affine3d& frame_from_world) const {
+        const CompiledSolid::Node& node = out_->nodes_[index];
+        NodeBounds bounds;
+        if (node.combination == Combination::leaf) {
+            const CompiledSolid::Leaf& leaf = out_->leaves_[node.first];
+            bounds = bounds_of_leaf(*leaf.shape, cleaned(frame_from_world * inverse(leaf.shape_from_world)));
+        } else {
+            std::vector<NodeBounds> children;
+            for (std::uint32_t child = 0; child < node.count; ++child)
+                children.push_back(bounds_in(node.first + child, frame_from_world));
+            if (node.combination == Combination::combined || node.combination == Combination::merged) {
+                bounds = bounds_of_union(children);
+            } else {
+                bounds = bounds_of_common(children, node.combination == Combination::clipped);
+                // Twice, as one shape's end may be another's.
+                for (std::uint32_t i = 0; i < 2 * node.count; ++i) {
+                    const CompiledSolid::Node& child = out_->nodes_[node.first + i % node.count];
+                    if (child.combination != Combination::leaf || child.inverted) continue;
+                    const CompiledSolid::Leaf& leaf = out_->leaves_[child.first];
+                    const Bounds3d reach =
+                        leaf.shape->bounds_within(frame_from_world * inverse(leaf.shape_from_world), reach_of(bounds));
+                    bounds.inside = common(bounds.inside, reach);
+                    bounds.surface = common(bounds.surface, reach);
+                }
+            }
+        }
+        if (node.inverted) std::swap(bounds.inside, bounds.outside);
+        return bounds;
+    }
+
+    static NodeBounds bounds_of_leaf(const Shape& shape, const Affine3d& m) {
+        NodeBounds bounds{shape.inside_bounds(m), shape.outside_bounds(m), shape.bounds(m)};
+        // A solid's surface is where inside and outside meet.
+        if (!bounds.inside.empty()) bounds.surface = common(bounds.surface, common(bounds.inside, bounds.outside));
+        return bounds;
     }
 
     static NodeBounds bounds_of_union(const std::vector<NodeBounds>& children) {

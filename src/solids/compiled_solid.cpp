@@ -5,23 +5,15 @@
 #include <cmath>
 
 namespace sundog::solids {
-namespace {
-
-/// Crossings so near to each other, relative to the distances in question, are at one place: faces that were meant to
-/// coincide differ by rounding only.
-constexpr double kCoincident = 1e-10;
-
-double coincidence_tolerance(const Ray& ray, double t) {
+double CompiledSolid::coincidence_tolerance(const Ray& ray, double t) {
     return kCoincident * (std::abs(t) + std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction)));
 }
 
 /// `part` of a range with room for rounding at both ends.
-Range widened(Range part, const Ray& ray, Range whole) {
+Range CompiledSolid::widened(Range part, const Ray& ray, Range whole) {
     return {std::max(whole.lower, part.lower - 10 * coincidence_tolerance(ray, part.lower)),
             std::min(whole.upper, part.upper + 10 * coincidence_tolerance(ray, part.upper))};
 }
-
-}  // namespace
 
 bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, EventList& out) const {
     const Node& node = nodes_[index];
@@ -212,6 +204,7 @@ bool CompiledSolid::common_events(const Node& node, const ChildList& children, c
 }
 
 bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
+    if (node.convex_parts) return convex_events(node, ray, range, out);
     const bool is_common = node.combination == Combination::common || node.combination == Combination::clipped;
     ChildList children;
     std::size_t unmet_inside = 0;
@@ -265,6 +258,14 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
                                     [&](std::uint32_t child) { nearest_event(node.first + child, ray, range, best); });
         return;
     }
+    if (node.convex_clips && !node.inverted) {
+        Range clipped = range_of_clips(node, ray, range);
+        if (clipped.empty()) return;
+        const double end = clipped.upper;
+        nearest_event(node.first, ray, clipped, best);
+        if (clipped.upper < end) range.upper = std::min(range.upper, clipped.upper);
+        return;
+    }
     EventList list;
     if (node.combination == Combination::leaf) first_leaf_event(node, ray, range, list);
     else events(index, ray, range, list);
@@ -300,6 +301,10 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
             });
         }
         return found;
+    }
+    if (node.convex_clips && !node.inverted) {
+        range = range_of_clips(node, ray, range);
+        return !range.empty() && any_event(node.first, ray, range);
     }
     if (node.combination == Combination::leaf) {
         const Leaf& leaf = leaves_[node.first];

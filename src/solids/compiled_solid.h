@@ -47,6 +47,8 @@ public:
         bool inverted = false;
         bool state_beyond = false;  ///< Whether points off `active` are inside.
         bool quick = false;         ///< A shape that is_quick().
+        bool convex_parts = false;  ///< What convex shapes, or all but them, have in common.
+        bool convex_clips = false;  ///< Clipped by convex shapes alone: to one stretch of a ray.
         std::uint32_t first = 0;    ///< Into leaves, or into nodes: the first child; siblings are neighbours.
         std::uint32_t count = 0;
         std::uint32_t tree = kNoTree;     ///< Into trees: over the children's `active` boxes, where there are many.
@@ -93,6 +95,12 @@ private:
     using ChildList = SmallVector<std::uint32_t, 32>;
     struct Sweep;
 
+    /// Crossings so near to each other, relative to the distances in question, are at one place: faces that were meant
+    /// to coincide differ by rounding only.
+    static constexpr double kCoincident = 1e-10;
+    static double coincidence_tolerance(const Ray& ray, double t);
+    static Range widened(Range part, const Ray& ray, Range whole);
+
     /// Whether the ray may meet the node: comes through its active box and its gate.
     [[nodiscard]] bool may_meet(const Node& node, const Ray& ray, Range range) const {
         return (node.unbounded || !clip(node.active, ray, range).empty()) && passes_gate(node, ray, range);
@@ -109,6 +117,8 @@ private:
                       EventList& all, ChildStates& states) const;
     bool common_events(const Node& node, const ChildList& children, const Ray& ray, Range range, EventList& all,
                        ChildStates& states) const;
+    bool convex_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
+    [[nodiscard]] Range range_of_clips(const Node& node, const Ray& ray, Range range) const;
     bool group_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
     void nearest_event(std::uint32_t node, const Ray& ray, Range& range, std::optional<Event>& best) const;
     [[nodiscard]] bool any_event(std::uint32_t node, const Ray& ray, Range range) const;

@@ -61,6 +61,7 @@ public:
         return in_first || in_second;
     }
     [[nodiscard]] bool is_quick() const override { return true; }
+    [[nodiscard]] bool is_convex() const override { return !open_; }
     [[nodiscard]] bool inside(Vec3d p) const override {
         const double z = dot(p - base_, axis_);
         if (!(z > 0 && z < height_)) return false;

@@ -41,6 +41,7 @@ public:
         return (t <= range.lower) == (speed < 0);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
+    [[nodiscard]] bool is_convex() const override { return true; }
     [[nodiscard]] bool inside(Vec3d p) const override { return dot(normal_, p) < distance_; }
     [[nodiscard]] Vec3d normal(Vec3d, const Crossing&) const override { return normal_; }
     [[nodiscard]] Bounds3d bounds(const Affine3d&) const override { return everywhere(); }

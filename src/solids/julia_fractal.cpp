@@ -96,15 +96,16 @@ private:
     [[nodiscard]] Probe quaternion_probe(Vec3d p) const {
         FourNumber h = lifted(p);
         const bool cube = j_.function == scene::JuliaFractal::Function::cube;
-        double slope = 1;
+        double squared_slope = 1;
         double size = solids::squared(h);
         int n = 0;
         for (; n < iterations_ && size <= kEscape * kEscape; ++n) {
-            slope *= cube ? 3 * size : 2 * std::sqrt(size);
+            squared_slope *= cube ? 9 * size * size : 4 * size;
             h = quaternion_next(h);
             size = solids::squared(h);
         }
         size = std::sqrt(size);
+        const double slope = std::sqrt(squared_slope);
         if (size <= kEscape) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
         // By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
         const double potential = std::log(size);
@@ -113,6 +114,7 @@ private:
 
     [[nodiscard]] Probe hypercomplex_probe(Vec3d p) const {
         ComplexPair h(lifted(p));
+        if (j_.function == scene::JuliaFractal::Function::sqr) return hypercomplex_square_probe(h);
         double slope = 1;
         double size = h.squared();
         for (int n = 0; n < iterations_ && size <= kEscape * kEscape; ++n) {
@@ -132,6 +134,30 @@ private:
         if (!algebraic_) return {size <= kEscape * kEscape, 2 * coarsest_};
         if (!(size <= kEscape * kEscape)) return {false, (std::sqrt(size) - kEscape) / slope};
         return {true, (kEscape - std::sqrt(size)) / slope};
+    }
+
+    /// The same for squares alone, written out: most fractals' function.
+    [[nodiscard]] Probe hypercomplex_square_probe(const ComplexPair& start) const {
+        double ur = start.u.real(), ui = start.u.imag();
+        double vr = start.v.real(), vi = start.v.imag();
+        const double pur = parameter_pair_.u.real(), pui = parameter_pair_.u.imag();
+        const double pvr = parameter_pair_.v.real(), pvi = parameter_pair_.v.imag();
+        double squared_slope = 1;
+        double u = ur * ur + ui * ui;
+        double v = vr * vr + vi * vi;
+        int n = 0;
+        for (; n < iterations_ && 0.5 * (u + v) <= kEscape * kEscape; ++n) {
+            squared_slope *= 4 * std::max(u, v);
+            ui = 2 * ur * ui + pui, ur = 2 * ur * ur - u + pur;
+            vi = 2 * vr * vi + pvi, vr = 2 * vr * vr - v + pvr;
+            u = ur * ur + ui * ui;
+            v = vr * vr + vi * vi;
+        }
+        const double size = std::sqrt(0.5 * (u + v));
+        const double slope = std::sqrt(squared_slope);
+        if (size <= kEscape) return {true, (kEscape - size) / slope};
+        // By the potential, as in quaternion_probe().
+        return {false, size * (std::log(size) - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
     }
 
     /// The slope of |h|^2 at the iteration that comes nearest to the surface.
@@ -224,7 +250,8 @@ private:
         return starts_inside;
     }
     [[nodiscard]] double change_between(const Ray& ray, double a, double b, bool a_inside) const {
-        for (int i = 0; i < 60; ++i) {
+        // To what single precision can tell apart.
+        while (b - a > 1e-10 * std::max(std::abs(a), std::abs(b))) {
             const double t = 0.5 * (a + b);
             if (!(t > a && t < b)) break;
             (probe(ray.at(t)).inside == a_inside ? a : b) = t;

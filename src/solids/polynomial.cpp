@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polynomial surfaces of any order (poly, quadric, cubic, quartic, polynomial).
+// Polynomial surfaces of third and higher order (poly, cubic, quartic, polynomial).
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "solids/polynomial_bounds.h"
+#include "solids/quadric.h"
 #include "solids/roots.h"
 #include "solids/shape.h"
 
@@ -90,8 +91,7 @@ public:
         const std::span<double> c(along.data(), order_ + 1);
         expand({ray.at(t_near), ray.direction}, c);
         RootList roots;
-        if (order_ <= 2) append_quadratic_roots(c, roots);
-        else append_roots(c, range.lower - t_near, range.upper - t_near, roots);
+        append_roots(c, range.lower - t_near, range.upper - t_near, roots);
         const double at_start = evaluate(c, range.lower - t_near);
         for (const double s : roots) {
             const double t = order_ > 4 ? polished(ray, t_near + s) : t_near + s;
@@ -99,7 +99,6 @@ public:
         }
         return at_start < 0;
     }
-    [[nodiscard]] bool is_quick() const override { return order_ <= 2; }
     [[nodiscard]] bool inside(Vec3d p) const override { return value(p) < 0; }
     [[nodiscard]] Vec3d normal(Vec3d p, const Crossing&) const override {
         Vec3d gradient;
@@ -114,7 +113,7 @@ public:
         return gradient;
     }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
-        return transformed(m, order_ <= 2 ? quadric_bounds() : polynomial_bounds(terms_, order_));
+        return transformed(m, polynomial_bounds(terms_, order_));
     }
 
 private:
@@ -139,7 +138,6 @@ private:
     }
     /// Coefficients of the polynomial along a ray.
     void expand(const Ray& ray, std::span<double> out) const {
-        if (order_ <= 2) return expand_quadric(ray, out);
         if (order_ == 3) return expand_all<3>(all_.data(), ray, out.data());
         if (order_ == 4) return expand_all<4>(all_.data(), ray, out.data());
         Powers x;
@@ -168,76 +166,6 @@ private:
                 for (std::size_t b = 0; b <= highest; ++b) out[a + b] += of_xy[a] * of_z[b];
         }
     }
-    void expand_quadric(const Ray& ray, std::span<double> out) const {
-        for (const Term& t : terms_) {
-            // The one or two linear factors of the term.
-            std::array<std::size_t, 2> axes{};
-            std::size_t count = 0;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                for (unsigned n = 0; n < (axis == 0 ? t.x : axis == 1 ? t.y : t.z); ++n) axes[count++] = axis;
-            if (count == 0) {
-                out[0] += t.coefficient;
-            } else if (count == 1) {
-                out[0] += t.coefficient * ray.origin[axes[0]];
-                out[1] += t.coefficient * ray.direction[axes[0]];
-            } else {
-                const double o0 = ray.origin[axes[0]];
-                const double o1 = ray.origin[axes[1]];
-                const double d0 = ray.direction[axes[0]];
-                const double d1 = ray.direction[axes[1]];
-                out[0] += t.coefficient * o0 * o1;
-                out[1] += t.coefficient * (o0 * d1 + o1 * d0);
-                out[2] += t.coefficient * d0 * d1;
-            }
-        }
-    }
-    static void append_quadratic_roots(std::span<const double> c, RootList& roots) {
-        const double a = c.size() > 2 ? c[2] : 0;
-        const double b = c.size() > 1 ? c[1] : 0;
-        if (a == 0) {
-            if (b != 0) roots.push_back(-c[0] / b);
-            return;
-        }
-        const double discriminant = b * b - 4 * a * c[0];
-        if (!(discriminant > 0)) return;
-        const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-        const double s0 = q / a;
-        const double s1 = q != 0 ? c[0] / q : -s0;
-        roots.push_back(std::min(s0, s1));
-        roots.push_back(std::max(s0, s1));
-    }
-    /// Ellipsoids and cylinders along the axes are finite across these; others may have no end anywhere.
-    [[nodiscard]] Bounds3d quadric_bounds() const {
-        Vec3d square;
-        Vec3d linear;
-        double constant = 0;
-        for (const Term& t : terms_) {
-            const unsigned degree = t.x + t.y + t.z;
-            const std::size_t axis = t.x > 0 ? 0 : t.y > 0 ? 1 : 2;
-            const unsigned exponent = axis == 0 ? t.x : axis == 1 ? t.y : t.z;
-            if (t.coefficient == 0) continue;
-            if (degree > 0 && exponent != degree) return everywhere();
-            (degree == 0 ? constant : degree == 1 ? linear[axis] : square[axis]) = t.coefficient;
-        }
-        // Of the sum of square*(p - center)^2 that `level` is.
-        Vec3d center;
-        double level = -constant;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (square[axis] < 0 || (square[axis] == 0 && linear[axis] != 0)) return everywhere();
-            if (square[axis] == 0) continue;
-            center[axis] = -linear[axis] / (2 * square[axis]);
-            level += square[axis] * center[axis] * center[axis];
-        }
-        if (!(level > 0)) return square == Vec3d{} ? everywhere() : Bounds3d{};
-        Bounds3d bounds = everywhere();
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (square[axis] == 0) continue;
-            const double reach = std::sqrt(level / square[axis]);
-            bounds.lower[axis] = center[axis] - reach;
-            bounds.upper[axis] = center[axis] + reach;
-        }
-        return bounds;
-    }
 
     std::vector<Term> terms_;
     std::size_t order_ = 1;
@@ -247,8 +175,10 @@ private:
 }  // namespace
 
 ShapePointer make_shape(const scene::Polynomial& polynomial, const SourceLocation& where) {
-    for (const scene::Polynomial::Term& t : polynomial.terms)
-        if (std::size_t{t.x} + t.y + t.z > kMaxDegree) refuse_shape(where, "a polynomial's order is at most 35");
+    std::size_t order = 0;
+    for (const scene::Polynomial::Term& t : polynomial.terms) order = std::max(order, std::size_t{t.x} + t.y + t.z);
+    if (order > kMaxDegree) refuse_shape(where, "a polynomial's order is at most 35");
+    if (order <= 2) return make_quadric(polynomial.terms);
     if (const std::optional<QuarticTorus> torus = as_torus(polynomial.terms); torus && torus->axis == 1)
         return make_shape(scene::Torus{torus->major_radius, torus->minor_radius}, where);
     return std::make_shared<Polynomial>(polynomial);

@@ -39,12 +39,17 @@ public:
     [[nodiscard]] virtual std::optional<Vec3d> face_normal(Vec3d, const Crossing&) const { return std::nullopt; }
     /// A box around the surface and the inside, carried by `m`.
     [[nodiscard]] virtual Bounds3d bounds(const Affine3d& m) const = 0;
+    /// A box around the part of the surface and the inside that lies in `box`, in the space that `m` carries to:
+    /// smaller than that for shapes without an end that can tell.
+    [[nodiscard]] virtual Bounds3d bounds_within(const Affine3d&, const Bounds3d& box) const { return box; }
     /// Boxes around all that is inside, and around all that is not.
     [[nodiscard]] virtual Bounds3d inside_bounds(const Affine3d& m) const { return bounds(m); }
     [[nodiscard]] virtual Bounds3d outside_bounds(const Affine3d&) const { return everywhere(); }
     /// Whether crossings cost next to nothing: asked first, they may tell that other shapes needn't be, or not all
     /// along.
     [[nodiscard]] virtual bool is_quick() const { return false; }
+    /// Whether the shape is a convex solid whose whole surface is visible: a ray is in it once.
+    [[nodiscard]] virtual bool is_convex() const { return false; }
     /// Texture coordinates as POV-Ray's uv_mapping has them (reference, section 3.4.6.7.1); 0 where it has none.
     [[nodiscard]] virtual std::array<double, 2> uv(Vec3d, const Crossing&) const { return {0, 0}; }
     /// The material of a part with one of its own (a mesh's triangle), into Scene::materials.

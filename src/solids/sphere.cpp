@@ -24,6 +24,7 @@ public:
         return append_interval({middle - half}, {middle + half}, range, out);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
+    [[nodiscard]] bool is_convex() const override { return true; }
     [[nodiscard]] bool inside(Vec3d p) const override { return dot(p - center_, p - center_) < radius_ * radius_; }
     [[nodiscard]] Vec3d normal(Vec3d p, const Crossing&) const override { return p - center_; }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {

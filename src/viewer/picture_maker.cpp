@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "viewer/display.h"
@@ -11,6 +12,8 @@ namespace sundog::viewer {
 namespace {
 
 constexpr std::uint32_t kFewestSamplesSaved = 4;
+/// Of grid refinement while things move (RefinedWork::tolerance).
+constexpr float kMovingTolerance = 0.1F;
 
 bool same(kernel::vec3 a, kernel::vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
@@ -57,7 +60,8 @@ bool PictureMaker::render_quickly(const StopFlag& stop) {
     if (film_.bounds != bounds) film_ = Film(bounds);
     const auto begin = std::chrono::steady_clock::now();
     film_is_current_ = false;
-    last_pass_ = session_->render_into(frame_of(size), 0, 1, film_, stop);
+    film_is_traced_ = !session_->device().can_refine(frame_of(size));
+    last_pass_ = session_->refine_into(frame_of(size), kMovingTolerance, std::exp2(request_.exposure_ev), film_, stop);
     if (!last_pass_.complete) return false;
     last_pass_s_ = seconds_since(begin);
     budget_.report(size, last_pass_s_);
@@ -85,7 +89,7 @@ bool PictureMaker::refine(const StopFlag& stop) {
         last_pass_ = stats;
         film_ = std::move(film);
         samples_ = 1;
-        film_is_current_ = true;
+        film_is_current_ = film_is_traced_ = true;
     }
     last_pass_s_ = seconds_since(begin);
     return true;
@@ -121,7 +125,7 @@ Frame PictureMaker::frame_of(PixelSize size) const {
 }
 
 bool PictureMaker::holds_full_size() const {
-    return film_is_current_ && PixelSize{film_.bounds.width(), film_.bounds.height()} == full_size();
+    return film_is_current_ && film_is_traced_ && PixelSize{film_.bounds.width(), film_.bounds.height()} == full_size();
 }
 
 }  // namespace sundog::viewer

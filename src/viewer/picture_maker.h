@@ -85,6 +85,7 @@ private:
     std::shared_ptr<const LoadedScene> loaded_;  // what session_ holds
     Film film_{PixelRect{}};
     bool film_is_current_ = false;  // film_ shows request_
+    bool film_is_traced_ = false;   // in all its pixels: nothing is interpolated
     std::uint32_t samples_ = 0;
     RenderStats last_pass_;
     double last_pass_s_ = 0;

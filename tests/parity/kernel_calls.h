@@ -232,7 +232,8 @@ FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
     uint kind = uint(u.v[12]);
     real3 p = vector_of(a, 0u);
     if (function == CALL_SINE) r.v[0] = sine(a.v[0]);
-    if (function == CALL_FIELD) r.v[0] = field_value(kind, p, vec3(u.v[13], 0.5f, 0.25f), (1u + kind % 3u) | (3u << 8u));
+    if (function == CALL_FIELD)
+        r.v[0] = field_value(kind, p, vec3(u.v[13], 0.5f, 0.25f), (1u + kind % 3u) | (3u << 8u));
     if (function == CALL_WAVE) r.v[0] = wave_value(kind, a.v[0], u.v[13], u.v[0], u.v[14]);
     if (function == CALL_CHOICE) r.v[0] = choice_value(kind, p, vec3(u.v[13], 1.5f, 2.0f), 0.25f);
     if (function == CALL_IMAGE_POSITION) {
@@ -287,7 +288,8 @@ FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
         layer.reflection_falloff = u.v[13];
         layer.reflection_metallic = abs(u.v[9]);
         put(r, 0u,
-            layer_reflectance(layer, select(a.v[4] > real(0.0f), real(1.5f), real(1.0f / 1.5f)), abs(p), abs(a.v[3])));
+            layer_reflectance(layer, select(a.v[4] > real(0.0f), real(1.5f), real(1.0f / 1.5f)), a.v[4] > real(0.5f),
+                              abs(p), abs(a.v[3])));
         put(r, 3u, metallic_tint(abs(p), real(0.75f), abs(a.v[3])));
     }
     if (function == CALL_NORMAL) put(r, 0u, normal_offset(SCENE_ kind, free_point(p), 2u, u.v[13], u.v[14]));

@@ -36,7 +36,7 @@ const std::vector<Rule>& rules() {
          {"compile", "scene", "fields", "solids", "kernel", "base", "device/render_scene.h", "device/camera_rays.h"}},
         {"src/device", {"device/", "kernel", "base"}},
         {"src/device/bvh", {"device/bvh", "device/", "kernel", "base"}},
-        {"src/device/cpu", {"device/cpu", "device/bvh", "device/", "solids", "kernel", "base"}},
+        {"src/device/cpu", {"device/cpu", "device/bvh", "device/", "solids", "sampling", "kernel", "base"}},
         {"src/device/vulkan", {"device/vulkan", "device/bvh", "device/", "kernel", "base"}},
         {"src/device/choose",
          {"device/choose", "device/cpu/cpu_device.h", "device/vulkan/vulkan_device.h", "device/", "base"}},

@@ -2,10 +2,12 @@
 #include "device/cpu/cpu_device.h"
 
 #include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstring>
 #include <fstream>
@@ -13,6 +15,7 @@
 
 #include "base/diagnostics.h"
 #include "device/cpu/embree_scene.h"
+#include "device/cpu/grid_kernel.h"
 #include "device/cpu/photons.h"
 #include "device/cpu/radiosity.h"
 #include "device/cpu/tile_kernel.h"
@@ -55,6 +58,10 @@ public:
         plain_kernel_ = lanes_ == 16  ? cpu::render_plain_tile_16
                         : lanes_ == 8 ? cpu::render_plain_tile_8
                                       : cpu::render_plain_tile_4;
+        grid_kernel_ = lanes_ == 16 ? cpu::refine_tile_16 : lanes_ == 8 ? cpu::refine_tile_8 : cpu::refine_tile_4;
+        plain_grid_kernel_ = lanes_ == 16  ? cpu::refine_plain_tile_16
+                             : lanes_ == 8 ? cpu::refine_plain_tile_8
+                                           : cpu::refine_plain_tile_4;
         photon_kernel_ = lanes_ == 16  ? cpu::trace_photons_16
                          : lanes_ == 8 ? cpu::trace_photons_8
                                        : cpu::trace_photons_4;
@@ -85,26 +92,29 @@ public:
 
     RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
         Totals totals;
-        const PixelRect& r = work.region;
-        const auto tiles_before = [](int pixel) { return pixel / kTileSide; };
-        const auto tiles_to = [](int pixel) { return (pixel + kTileSide - 1) / kTileSide; };
         arena_.execute([&] {
             embree_->update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            const tbb::blocked_range2d<int> tiles(tiles_before(r.y0), tiles_to(r.y1), 1, tiles_before(r.x0),
-                                                  tiles_to(r.x1), 1);
-            tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& range) {
-                for (int ty = range.rows().begin(); ty != range.rows().end(); ++ty) {
-                    for (int tx = range.cols().begin(); tx != range.cols().end(); ++tx) {
-                        const PixelRect tile{std::max(r.x0, tx * kTileSide), std::max(r.y0, ty * kTileSide),
-                                             std::min(r.x1, (tx + 1) * kTileSide),
-                                             std::min(r.y1, (ty + 1) * kTileSide)};
-                        render_tile(frame, tile, work, film, stop, totals);
-                    }
-                }
-            });
+            for_each_tile(work.region, kTileSide,
+                          [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals); });
         });
-        return {totals.rays, totals.shadow_rays, totals.complete};
+        return totals.stats();
+    }
+
+    [[nodiscard]] bool can_refine(const Frame& frame) const override {
+        return frame.camera_rays == nullptr && frame.camera_normal == kernel::NONE;
+    }
+
+    RenderStats refine(const Frame& frame, const RefinedWork& work, Film& film, const StopFlag& stop) override {
+        if (!can_refine(frame) || !(work.tolerance > 0)) return Device::refine(frame, work, film, stop);
+        Totals totals;
+        arena_.execute([&] {
+            embree_->update(frame);
+            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            for_each_tile(film.bounds, sampling::kRefinedTileSide,
+                          [&](const PixelRect& tile) { refine_tile(frame, tile, work, film, stop, totals); });
+        });
+        return totals.stats();
     }
 
     RenderStats render_regions(const Frame& frame, std::span<const PixelRect> regions, RenderWork work, Film& film,
@@ -116,14 +126,15 @@ public:
             tbb::parallel_for(std::size_t{0}, regions.size(),
                               [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
         });
-        return {totals.rays, totals.shadow_rays, totals.complete};
+        return totals.stats();
     }
 
 private:
     /// What the threads of one call did together.
     struct Totals {
-        std::atomic<std::uint64_t> rays{0}, shadow_rays{0};
+        std::atomic<std::uint64_t> rays{0}, shadow_rays{0}, points{0};
         std::atomic<bool> complete{true};
+        [[nodiscard]] RenderStats stats() const { return {rays, shadow_rays, points, complete}; }
     };
 
     /// The irradiance of one frame, kept for the further works on its picture.
@@ -207,6 +218,56 @@ private:
         return true;
     }
 
+    /// Calls visit(tile) from all threads, for the parts of `r` in tiles that are aligned to the picture.
+    template <class Visit>
+    static void for_each_tile(const PixelRect& r, int side, const Visit& visit) {
+        const auto tiles_to = [&](int pixel) { return (pixel + side - 1) / side; };
+        const tbb::blocked_range2d<int> tiles(r.y0 / side, tiles_to(r.y1), 1, r.x0 / side, tiles_to(r.x1), 1);
+        tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<int>& range) {
+            for (int ty = range.rows().begin(); ty != range.rows().end(); ++ty)
+                for (int tx = range.cols().begin(); tx != range.cols().end(); ++tx)
+                    visit(PixelRect{std::max(r.x0, tx * side), std::max(r.y0, ty * side),
+                                    std::min(r.x1, (tx + 1) * side), std::min(r.y1, (ty + 1) * side)});
+        });
+    }
+
+    void refine_tile(const Frame& frame, const PixelRect& tile, const RefinedWork& work, Film& film,
+                     const StopFlag& stop, Totals& totals) {
+        if (stop.requested()) {
+            totals.complete = false;
+            return;
+        }
+        std::unique_ptr<sampling::GridRefinement>& refinement = refinements_.local();
+        if (!refinement) refinement = std::make_unique<sampling::GridRefinement>();
+        std::array<std::uint8_t, std::size_t{sampling::kSquaresAcross} * sampling::kSquaresAcross> finest;
+        finest.fill(sampling::kSquareSide);
+        if (!work.finest.empty()) {
+            const auto squares = [](int pixels) {
+                return (pixels + sampling::kSquareSide - 1) / sampling::kSquareSide;
+            };
+            for (int y = tile.y0 / sampling::kSquareSide; y < squares(tile.y1); ++y)
+                for (int x = tile.x0 / sampling::kSquareSide; x < squares(tile.x1); ++x)
+                    finest[static_cast<std::size_t>(y % sampling::kSquaresAcross * sampling::kSquaresAcross +
+                                                    x % sampling::kSquaresAcross)] =
+                        work.finest[static_cast<std::size_t>(y * squares(film.bounds.width()) + x)];
+        }
+        const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
+        const cpu::GridRays done =
+            (plain ? plain_grid_kernel_ : grid_kernel_)({*scene_,
+                                                         frame,
+                                                         embree_->handle(),
+                                                         tile,
+                                                         {work.tolerance, work.gain},
+                                                         finest.data(),
+                                                         *refinement,
+                                                         film,
+                                                         radiosity_ ? &radiosity_->radiosity->light() : nullptr,
+                                                         photons_ ? photons_->photons.get() : nullptr});
+        totals.rays += done.rays;
+        totals.shadow_rays += done.shadow_rays;
+        totals.points += done.points;
+    }
+
     void render_tile(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
                      const StopFlag& stop, Totals& totals) const {
         if (stop.requested()) {
@@ -230,6 +291,7 @@ private:
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
     cpu::TileKernel plain_kernel_ = nullptr;
+    cpu::GridKernel grid_kernel_ = nullptr, plain_grid_kernel_ = nullptr;
     cpu::RayKernel rays_ = nullptr;
     cpu::PhotonKernel photon_kernel_ = nullptr;
     tbb::task_arena arena_;
@@ -239,6 +301,7 @@ private:
     std::unique_ptr<cpu::EmbreeScene> embree_;
     std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
+    tbb::enumerable_thread_specific<std::unique_ptr<sampling::GridRefinement>> refinements_;
 };
 
 }  // namespace

@@ -5,106 +5,34 @@
 
 #include <algorithm>
 
-#include "device/cpu/embree.h"
+#include "device/cpu/packet_traversal.h"
 #include "device/cpu/photon_batch.h"
 #include "device/cpu/ray_batch.h"
-#include "kernel/rays.h"
-#include "kernel/shapes/all_planes.h"
 
 KERNEL_BEGIN
 
 #if SUNDOG_KERNEL_LANES == 16
-using RayPacket = RTCRay16;
-using RayHitPacket = RTCRayHit16;
 inline constexpr int kBlockWidth = 4, kBlockHeight = 4;
 #elif SUNDOG_KERNEL_LANES == 8
-using RayPacket = RTCRay8;
-using RayHitPacket = RTCRayHit8;
 inline constexpr int kBlockWidth = 4, kBlockHeight = 2;
 #else
-using RayPacket = RTCRay4;
-using RayHitPacket = RTCRayHit4;
 inline constexpr int kBlockWidth = 2, kBlockHeight = 2;
 #endif
 
-FN vfloat& lanes_of(float* first) { return *reinterpret_cast<vfloat*>(first); }
-FN vuint& lanes_of(unsigned* first) { return *reinterpret_cast<vuint*>(first); }
-
-FN void store_ray(const Ray& ray, word ray_kind, RayPacket& packet) {
-    lanes_of(packet.org_x) = ray.origin.x.v;
-    lanes_of(packet.org_y) = ray.origin.y.v;
-    lanes_of(packet.org_z) = ray.origin.z.v;
-    lanes_of(packet.dir_x) = ray.direction.x.v;
-    lanes_of(packet.dir_y) = ray.direction.y.v;
-    lanes_of(packet.dir_z) = ray.direction.z.v;
-    lanes_of(packet.tnear) = ray.t_min.v;
-    lanes_of(packet.tfar) = ray.t_max.v;
-    lanes_of(packet.time) = vfloat{};
-    lanes_of(packet.mask) = ray_kind.v;
-    lanes_of(packet.flags) = vuint{};
-}
-
-inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together) {
-    alignas(64) RayHitPacket packet;
-    store_ray(ray, ray_kind, packet.ray);
-    lanes_of(packet.hit.geomID) = vuint{} - 1u;
-    lanes_of(packet.hit.instID[0]) = vuint{} - 1u;
-    alignas(64) const vint valid = lane_ints(alive);
-    // As one packet even off mirrors: neighbours' rays mostly stay together, and that is a tenth to a quarter faster on
-    // the gallery. But not where things move: see trace_any.
-    embree::Query query(together || !FEATURE(FEATURE_INSTANCES));
-    embree::closest_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
-                        query, packet);
-    Hit hit;
-    hit.t = real(lanes_of(packet.ray.tfar));
-    hit.u = real(lanes_of(packet.hit.u));
-    hit.v = real(lanes_of(packet.hit.v));
-    hit.normal =
-        real3(real(lanes_of(packet.hit.Ng_x)), real(lanes_of(packet.hit.Ng_y)), real(lanes_of(packet.hit.Ng_z)));
-    hit.geometry = word(lanes_of(packet.hit.geomID));
-    if (FEATURE(FEATURE_INSTANCES)) {
-        const word instance(lanes_of(packet.hit.instID[0]));
-        hit.geometry = select(instance != word(NONE), instance, hit.geometry);
-    }
-    const mask found = mask_and(alive, hit.geometry != word(NONE));
-    hit.primitive =
-        word(lanes_of(packet.hit.primID)) + FIELD(geometries, valid_index(found, hit.geometry), first_primitive);
-    if (scene.frame.plane_count > 0) closest_plane(scene, ray, ray_kind, alive, hit);
-    return hit;
-}
-
-inline mask trace_any(SCENE Ray ray, mask alive, word ray_kind) {
-    alignas(64) RayPacket packet;
-    store_ray(ray, ray_kind, packet);
-    alignas(64) const vint valid = lane_ints(alive);
-    // Not as coherent where things move: Embree 3.13 never returns from rtcOccluded16 on coherent rays that meet an
-    // instance of shapes with callbacks.
-    embree::Query query(!FEATURE(FEATURE_INSTANCES));
-    embree::any_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
-                    query, packet);
-    mask blocked = mask_and(alive, real(lanes_of(packet.tfar)) < real(0.0f));
-    if (scene.frame.plane_count > 0) blocked = mask_or(blocked, any_plane(scene, ray, ray_kind, alive));
-    return blocked;
-}
-
 KERNEL_END
 
+#include "device/cpu/tracing.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
+#ifdef SUNDOG_GRID_KERNEL
+#include "device/cpu/grid_tracer.h"
+#endif
 #ifdef SUNDOG_PHOTON_KERNEL
 #include "kernel/integrators/photons.h"
 #endif
 
 namespace sundog::cpu {
 namespace {
-
-using namespace kernel;
-
-/// One copy of the integrator for pixels and for rays that gather light.
-[[gnu::noinline]] real3 radiance_along(const SceneView& scene, const Ray& ray, mask alive, RayCounts& counts,
-                                       FirstHit& first) {
-    return whitted_radiance(scene, ray, alive, counts, first);
-}
 
 /// Pixel coordinates of a block's lanes, row by row.
 struct BlockPixels {
@@ -116,12 +44,6 @@ struct BlockPixels {
         }
     }
 };
-
-std::uint64_t sum_lanes(word w) {
-    std::uint64_t sum = 0;
-    for (int lane = 0; lane < kLanes; ++lane) sum += w.v[lane];
-    return sum;
-}
 
 struct BlockResult {
     real3 radiance{real(0.0F)};
@@ -325,6 +247,10 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     }
     return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
 }
+
+#ifdef SUNDOG_GRID_KERNEL
+GridRays SUNDOG_GRID_KERNEL(const GridWork& work) { return refine_grid_tile(work); }
+#endif
 
 #ifdef SUNDOG_RAY_KERNEL
 BatchRays SUNDOG_RAY_KERNEL(const SceneView& scene, std::span<const BatchRay> rays, std::span<BatchAnswer> answers) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
 // SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
-// nothing there). Everything that depends on them lives in an inline namespace of its own, so units of different kinds
-// can be linked together.
+// nothing there). Units for a part of the features also fix whether paths remember what they met (RECORDING; see
+// integrators/record.h), by SUNDOG_KERNEL_RECORDS; others ask SceneView::records. Everything that depends on them lives in an inline namespace of its own, so units of different
+// kinds can be linked together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
 
@@ -16,15 +17,26 @@
 #define SUNDOG_KERNEL_LANES 1
 #endif
 
-#define SUNDOG_KERNEL_PASTE_(a, b) a##b
-#define SUNDOG_KERNEL_PASTE(a, b) SUNDOG_KERNEL_PASTE_(a, b)
-#ifdef SUNDOG_KERNEL_FEATURES
-#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(plain_lanes, SUNDOG_KERNEL_LANES)
-#define FN_RECURSIVE FN
+#define SUNDOG_KERNEL_PASTE_(a, b, c) a##b##c
+#define SUNDOG_KERNEL_PASTE(a, b, c) SUNDOG_KERNEL_PASTE_(a, b, c)
+#ifdef SUNDOG_KERNEL_RECORDS
+#define SUNDOG_KERNEL_PURPOSE recording_
 #else
-#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(lanes, SUNDOG_KERNEL_LANES)
+#define SUNDOG_KERNEL_PURPOSE
+#endif
+#ifdef SUNDOG_KERNEL_FEATURES
+#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(SUNDOG_KERNEL_PURPOSE, plain_lanes, SUNDOG_KERNEL_LANES)
+#define FN_RECURSIVE FN
+#ifdef SUNDOG_KERNEL_RECORDS
+#define RECORDING true
+#else
+#define RECORDING false
+#endif
+#else
+#define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(SUNDOG_KERNEL_PURPOSE, lanes, SUNDOG_KERNEL_LANES)
 #define SUNDOG_KERNEL_FEATURES 0xffffffffu
 #define FN_RECURSIVE FN_LARGE
+#define RECORDING scene.records
 #endif
 #define KERNEL_BEGIN           \
     namespace sundog::kernel { \
@@ -63,6 +75,7 @@ struct SceneView {
     const HostFields* host_fields = nullptr;  ///< Set where some program asks (kernel/patterns/host_fields.h).
     const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
     const PhotonLight* photons = nullptr;     ///< Set where FEATURE_PHOTONS is (kernel/lights/photon_light.h).
+    bool records = false;                     ///< Whether paths remember what they met.
     uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 

@@ -15,6 +15,7 @@
 #define SCENE_
 #define FRAME frame
 #define FEATURE(bits) ((frame_features & (bits)) != 0u)
+#define RECORDING false
 #define AT(array, i) array[i]
 #define FIELD(array, i, field) array[i].field
 #define GET(array, i) array[i]

@@ -25,12 +25,24 @@ struct PathState {
 #endif
 };
 
+/// If RECORDING: what a path remembers, so that points of the picture can be told alike (sampling/traced_grid.h).
+struct PathRecord {
+    word signature;   ///< Of the objects that were met, in their order, and the lights that lit each.
+    word highlights;  ///< Of the lights whose highlights show on each.
+    word unlike;      ///< Not 0: nothing is like it.
+    word surface;     ///< Not 0: the first surface is textured, and this is its number.
+    real beyond;      ///< Luminance that came by way of further surfaces.
+    real3 shade;      ///< What the first surface's texture (FirstHit::albedo) is multiplied by.
+    real3 rest;       ///< What is added to that.
+};
+
 /// What the primary ray found, for AOVs (a miss where FrameParams::aovs is 0).
 struct FirstHit {
     real t;
     real3 normal;
     real3 albedo;
     word geometry, primitive, material;
+    PathRecord record;
 };
 
 /// The ray off a mirror at a surface.

@@ -15,6 +15,7 @@
 #include "kernel/atmosphere/rainbow.h"
 #include "kernel/atmosphere/sky.h"
 #include "kernel/integrators/path.h"
+#include "kernel/integrators/record.h"
 #include "kernel/lights/direct.h"
 #include "kernel/materials/bump.h"
 #include "kernel/materials/interior.h"
@@ -48,6 +49,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
     first.geometry = word(NONE);
     first.primitive = word(NONE);
     first.material = word(NONE);
+    if (RECORDING) first.record = blank_record();
+    real3 from_first = black;
     bool is_first = true;
     while (true) {
         counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
@@ -82,6 +85,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
         } else {
             radiance = radiance + select(missed, path.weight * real3(FRAME.sky), black);
         }
+        if (RECORDING) record_miss(SCENE_ missed, first);
         mask follow = mask_and(found, mask_not(found));
         if (any_lane(found)) {
             Surface s = surface_at(SCENE_ path.ray, hit, found);
@@ -103,20 +107,23 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #endif
                 real eta = crossing_eta(SCENE_ crossing, interior, path.insides, spectrum);
                 lobes.eta = select(lobes.patterned, eta, lobes.eta);
+                lobes.enclosed = mask_and(crossing.leaves, crossing.behind.inner != word(0u));
                 evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
             }
             real3 base;
             real3 highlight;
-            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, path.media, found, counts, base, highlight);
+            LightStates states;
+            direct_light(SCENE_ s, lobes, layered, -path.ray.direction, path.media, found, counts, base, highlight,
+                         states);
 #ifdef __cplusplus
             if (FEATURE(FEATURE_PHOTONS))
                 photon_light(SCENE_ s, lobes, layered, -path.ray.direction, found, base, highlight);
             if (FEATURE(FEATURE_RADIOSITY))
                 base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
 #endif
-            if (is_first && FRAME.aovs != 0u) {
+            if (is_first && (RECORDING || FRAME.aovs != 0u)) {
                 first.t = select(found, hit.t, first.t);
                 first.normal = select(found, s.normal, black);
                 first.albedo = select(found, lobes.albedo, black);
@@ -142,6 +149,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 if (FEATURE(FEATURE_EXPONENTS)) {
                     mask bent = mask_and(reflects, abs(lobes.exponent - 1.0f) > real(0.0f));
                     if (any_lane(bent) && path.nesting < MAX_NESTING) {
+                        if (RECORDING) first.record.unlike = first.record.unlike | select(bent, word(1u), word(0u));
                         radiance = radiance + exponent_radiance(SCENE_ path, s, lobes, bent, counts);
                         reflects = mask_and(reflects, mask_not(bent));
                     }
@@ -150,6 +158,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                     mask split = mask_and(transmits, path.spectrum < real(0.0f));
                     split = disperses(SCENE_ s, lobes, split);
                     if (any_lane(split) && path.nesting < MAX_NESTING) {
+                        if (RECORDING) first.record.unlike = first.record.unlike | select(split, word(1u), word(0u));
                         radiance = radiance + dispersed_radiance(SCENE_ path, s, lobes, crossing, split, counts);
                         transmits = mask_and(transmits, mask_not(split));
                     }
@@ -168,6 +177,10 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 real3 one = real3(real(1.0f));
                 real3 thinned = base * max(one - r - t, black) + highlight * (one - r);
                 real3 own = select(lobes.patterned, base + highlight, thinned);
+                if (RECORDING) {
+                    real3 share = select(lobes.patterned, one, max(one - r - t, black));
+                    record_surface(SCENE_ s, lobes, states, base, share, path, found, is_first, first);
+                }
                 radiance = radiance + select(found, path.weight * own, black);
 
                 follow = mask_or(reflects, transmits);
@@ -218,8 +231,11 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 }
             } else {
                 radiance = radiance + select(found, path.weight * (base + highlight), black);
+                if (RECORDING)
+                    record_surface(SCENE_ s, lobes, states, base, real3(real(1.0f)), path, found, is_first, first);
             }
         }
+        if (RECORDING && is_first) from_first = radiance;
         path.alive = follow;
         is_first = false;
         if (!any_lane(follow)) {
@@ -227,6 +243,10 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
             waiting_count = waiting_count - 1u;
             path = waiting[waiting_count];
         }
+    }
+    if (RECORDING) {
+        first.record.beyond = luminance(radiance - from_first);
+        first.record.rest = radiance - first.record.shade * first.albedo;
     }
     return radiance;
 }
@@ -236,6 +256,33 @@ inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts) {
     path.nesting = path.nesting + 1u;
     FirstHit unused;
     return path_radiance(SCENE_ path, counts, unused);
+}
+#endif
+
+/// A colour in the scene's numbers as linear light.
+FN real3 linear_light(SCENE real3 color) {
+    if (FRAME.working_gamma == 1.0f) return color;
+    color = max(color, real3(real(0.0f)));
+    if (FRAME.working_gamma > 0.0f) {
+        real gamma = real(FRAME.working_gamma);
+        return real3(power(color.x, gamma), power(color.y, gamma), power(color.z, gamma));
+    }
+    return real3(srgb_decoded(color.x), srgb_decoded(color.y), srgb_decoded(color.z));
+}
+
+#ifdef __cplusplus
+/// The colour of the texture that `ray` meets first, and that surface's number (PathRecord::surface; 0: it has none).
+FN real3 texture_along(SCENE Ray ray, mask alive, OUT(word) surface) {
+    Hit hit = trace_closest(SCENE_ ray, alive, word(RAY_CAMERA), true);
+    mask found = mask_and(alive, hit.geometry != word(NONE));
+    surface = word(0u);
+    if (!any_lane(found)) return real3(real(0.0f));
+    Surface s = surface_at(SCENE_ ray, hit, found);
+    Lobes lobes = evaluate_material(SCENE_ s, ray.direction);
+    LayerColors layered;
+    if (FEATURE(FEATURE_PATTERNED)) evaluate_layers(SCENE_ s, ray.direction, found, false, lobes, layered);
+    surface = select(found, surface_number(s), word(0u));
+    return lobes.albedo;
 }
 #endif
 
@@ -254,18 +301,7 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.spectrum = real(-1.0f);
     path.nesting = 0u;
 #endif
-    real3 radiance = path_radiance(SCENE_ path, counts, first);
-    real3 black = real3(real(0.0f));
-    if (FRAME.working_gamma != 1.0f) {
-        radiance = max(radiance, black);
-        if (FRAME.working_gamma > 0.0f) {
-            real gamma = real(FRAME.working_gamma);
-            radiance = real3(power(radiance.x, gamma), power(radiance.y, gamma), power(radiance.z, gamma));
-        } else {
-            radiance = real3(srgb_decoded(radiance.x), srgb_decoded(radiance.y), srgb_decoded(radiance.z));
-        }
-    }
-    return radiance;
+    return linear_light(SCENE_ path_radiance(SCENE_ path, counts, first));
 }
 
 KERNEL_END

@@ -47,9 +47,21 @@ FN void add_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 light
     }
 }
 
+/// If RECORDING: sums of numbers that stand for the lights that light a place, and for those whose highlights show
+/// there.
+struct LightStates {
+    word lit;
+    word highlit;
+};
+
+/// Highlights that are weaker don't count as visible.
+const float VISIBLE_HIGHLIGHT = 0.02f;
+
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
 FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, MediaInsides media, mask alive,
-                     INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight) {
+                     INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight, OUT(LightStates) states) {
+    states.lit = word(0u);
+    states.highlit = word(0u);
     base = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     highlight = real3(real(0.0f));
     for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
@@ -99,6 +111,12 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
                 }
             }
         }
+        real3 highlight_before = highlight;
+        if (RECORDING) {
+            real3 arrives = abs(light_color);
+            mask reaches = mask_and(lit, largest(arrives) > real(0.0f));
+            states.lit = states.lit + select(reaches, hash_word(word(i + 1u)), word(0u));
+        }
         uint parts = in_parts ? light.area_count_u * light.area_count_v : 1u;
         mask reached = lit;
         real3 color = light_color;
@@ -116,6 +134,11 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to
                 color = light_color * (light_share(light, s.position, from, reach) * (1.0f / float(parts)));
             }
             add_light(SCENE_ s, lobes, layered, color, light.flags, i, lit, behind, from, to_eye, base, highlight);
+        }
+        if (RECORDING) {
+            real3 gained = highlight - highlight_before;
+            mask shows = mask_and(alive, largest(gained) > real(VISIBLE_HIGHLIGHT));
+            states.highlit = states.highlit + select(shows, hash_word(word(i + 1u)), word(0u));
         }
     }
 }

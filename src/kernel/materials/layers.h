@@ -27,12 +27,13 @@ FN real3 metallic_tint(real3 color, real metallic, real cosine) {
 }
 
 /// Reflectance of a layer under a cosine between its normal and the ray.
-/// `eta` is the index of refraction in front over the one behind.
-FN real3 layer_reflectance(Layer layer, real eta, real3 color, real cos_in) {
+/// `eta` is the index of refraction in front over the one behind. In povray's pictures Fresnel's equations give nothing
+/// to rays that leave an object while they are inside of another one as well, were it the sky.
+FN real3 layer_reflectance(Layer layer, real eta, mask enclosed, real3 color, real cos_in) {
     real c = clamp(cos_in, real(0.0f), real(1.0f));
     real angle_share;
     if ((layer.flags & LAYER_FRESNEL) != 0u) {
-        angle_share = fresnel_dielectric(c, eta);
+        angle_share = select(enclosed, real(0.0f), fresnel_dielectric(c, eta));
     } else {
         angle_share = power(1.0f - c, real(layer.reflection_falloff));
     }
@@ -128,7 +129,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
                 layered.normal[l] = select(here, n, layered.normal[l]);
                 cos_layer = -dot(n, incoming);
             }
-            real3 r = layer_reflectance(layer, lobes.eta, c.rgb, cos_layer);
+            real3 r = layer_reflectance(layer, lobes.eta, lobes.enclosed, c.rgb, cos_layer);
             if (FEATURE(FEATURE_NORMALS)) {
                 real3 weight = above * r;
                 real most = largest(weight);

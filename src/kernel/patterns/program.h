@@ -109,6 +109,16 @@ FN PatternPoint free_point(real3 position) {
     return at;
 }
 
+/// What OP_GRAY takes of a colour.
+FN real color_part(PigmentColor c, uint part) {
+    if (part == 0u) return gray_of(c.rgb);
+    if (part == 1u) return 1.0f - c.transmitted;
+    if (part == 2u) return c.rgb.x;
+    if (part == 3u) return c.rgb.y;
+    if (part == 4u) return c.rgb.z;
+    return part == 5u ? c.filtered : c.transmitted;
+}
+
 /// What a program leaves behind.
 struct ProgramResult {
     PigmentColor color;  ///< Colour 0.
@@ -214,7 +224,11 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             if (!any_lane(asking[0])) break;
         } else if (op == OP_GRAY) {
             PigmentColor c = colors[source];
-            values[target] = AT(code, pc) != 0u ? 1.0f - c.transmitted : gray_of(c.rgb);
+            values[target] = color_part(c, AT(code, pc));
+            pc = pc + 1u;
+        } else if (op == OP_POWER) {
+            real raised = power(values[target], real(code_float(SCENE_ pc)));
+            values[target] = select(raised > real(1.0f), fraction(raised), raised);
             pc = pc + 1u;
 #ifdef __cplusplus
         } else if (op == OP_HOST_FIELD) {
