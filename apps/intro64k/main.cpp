@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint kWidth = 1280, kHeight = 720;
 
-Quality quality_of(const Options& options) { return {options.refinement, options.shows_traced, 1}; }
+Quality quality_of(const Options& options) { return {options.refinement, options.shows_traced, 0.1F}; }
 
 int write_frame(Renderer& renderer, const Options& options, uint width, uint height) {
     const Block<uint> pixels(static_cast<std::size_t>(width) * height);
@@ -57,8 +57,8 @@ int benchmark(Renderer& renderer, const Options& options, uint width, uint heigh
     std::printf("frames per second: %.1f on average, %.1f at the slowest (%.2f s)\n", frames / total, 1 / slowest,
                 static_cast<double>(slowest_at));
     std::printf("rays per second: %.2f million\n", static_cast<double>(counts.rays) / total * 1e-6);
-    std::printf("traced places: %.1f of 100 pixels\n",
-                static_cast<double>(counts.samples) / frames / width / height * 100);
+    std::printf("traced points: %.1f of 100 pixels\n",
+                static_cast<double>(counts.points) / frames / width / height * 100);
     return 0;
 }
 

@@ -52,7 +52,7 @@ Counts Renderer::counts() const {
     Counts sum{};
     for (unsigned i = 0; i < crew_.threads(); ++i) {
         sum.rays += work_[i].counts.rays;
-        sum.samples += work_[i].counts.samples;
+        sum.points += work_[i].counts.points;
     }
     return sum;
 }

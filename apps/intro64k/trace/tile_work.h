@@ -2,15 +2,16 @@
 // The picture, its tiles, and what a thread needs to draw one.
 #pragma once
 
-#include "trace/sample.h"
+#include "sampling/traced_grid.h"
+#include "stage/world.h"
 
 namespace sundog::intro {
 
 /// How much is traced.
 struct Quality {
-    bool refinement;    ///< false: every pixel's corners are traced.
-    bool shows_traced;  ///< Paints traced places white.
-    float tolerance;    ///< How far neighbours may differ before what lies between them is traced; about 1.
+    bool refinement;    ///< false: the corners of all pixels are traced.
+    bool shows_traced;  ///< Paints traced points white.
+    float tolerance;    ///< As sampling::RefinementQuality has it.
 };
 
 /// A picture in memory: 0xRRGGBB, row by row from the top.
@@ -20,13 +21,8 @@ struct Picture {
     uint pitch;  ///< Pixels from one row to the next.
 };
 
-inline constexpr uint kTileSide = 64;
-inline constexpr uint kSpotsAcross = kTileSide + 1;
-
-/// A square whose left upper corner is at a spot.
-struct Square {
-    Spot at;
-};
+inline constexpr uint kTileSide = sampling::kRefinedTileSide;
+inline constexpr uint kPointsAcross = sampling::TracedGrid::kPointsAcross;
 
 /// Numbers of the solids that rays may meet.
 struct Candidates {
@@ -34,15 +30,22 @@ struct Candidates {
     unsigned char numbers[kMaxSolids];
 };
 
-/// What one thread needs to draw a tile.
+/// What was traced.
+struct Counts {
+    unsigned long long rays, points;
+};
+
+/// What one thread needs to draw a tile. A pixel is the square between four points. Of each traced point: what
+/// sampling::TracedGrid remembers (light: radiance that no texture dims; shade: light on the texture), and
 struct TileWork {
-    Sample samples[kSpotsAcross * kSpotsAcross + 32];
-    unsigned char known[kSpotsAcross * kSpotsAcross];
-    unsigned char small[8][8];  ///< Squares of 8 in which something small may hide.
-    Spot wanted[kSpotsAcross * kSpotsAcross + 32];
-    Square squares[2][kTileSide * kTileSide];
+    sampling::TracedGrid grid;
+    sampling::Float4 tones[kPointsAcross * kPointsAcross];   ///< its colour as the screen gets it, 0 to 255,
+    sampling::Float4 places[kPointsAcross * kPointsAcross];  ///< its place in its texture and 1, all over its depth,
+    uint outlines[kPointsAcross * kPointsAcross];            ///< and a hash of what was hit there and in clear mirrors.
+    unsigned char small[8][8];                               ///< Squares of 8 in which something small may hide.
+    sampling::TilePlace squares[2][kTileSide * kTileSide / 4];
+    sampling::TilePlace divided[kTileSide * kTileSide / 4];  ///< Squares of 2 of whose pixels each has its own colour.
     Candidates eye, all;
-    uint wanted_count;
     Counts counts;
 };
 

@@ -5,7 +5,6 @@
 #include "kernel/cameras/pinhole.h"
 #include "kernel/lights/light.h"
 #include "kernel/materials/reflection.h"
-#include "trace/sample.h"
 #include "trace/shapes.h"
 #include "trace/sky.h"
 #include "trace/textures.h"
@@ -107,10 +106,23 @@ struct Found {
 /// Adds to a signature; order counts.
 FN word signed_with(word signature, word what) { return (signature ^ what) * word(0x01000193u) + (signature >> 15u); }
 
+/// What trace_lanes() finds, in the order in which it is stored.
+struct Traced {
+    real3 light;  ///< Radiance that no texture dims ...
+    real share;   ///< ... (in the fourth place there is nothing to compare).
+    real3 shade;  ///< What the texture's colour is multiplied by; where there is none, added as it is.
+    real unused;
+    real3 tone;  ///< Of the whole.
+    real one;
+    real3 place;  ///< In the texture's space, over the depth.
+    real over_depth;
+    word signature, highlights, texture, outline;
+};
+
 /// Traces kLanes places given in pixels from the picture's left upper corner. `eye` are the solids that a ray from the
 /// eye may meet here.
-[[gnu::noinline]] inline void trace_lanes(const View& view, const Candidates& eye, const Candidates& all, real2 at,
-                                          Sample* out, Counts& counts) {
+[[gnu::noinline]] inline Traced trace_lanes(const View& view, const Candidates& eye, const Candidates& all, real2 at,
+                                            Counts& counts) {
     const World& world = *view.world;
     const Tables& tables = *view.tables;
     real u = at.x * (1.0f / view.width);
@@ -127,6 +139,7 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
     word texture_out = word(0u);
     word outline = word(0x811c9dc5u);
     word signature = outline;
+    word highlights = outline;
     mask alive = mask(true);
     vec3 forward = world.camera.center * (1.0f / length(world.camera.center));
 
@@ -139,7 +152,8 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         mask clear_view = mask_and(alive, largest(weight) > real(0.035f * world.exposure));
         word what = (hit.solid << 8u) + hit.part;
         signature = select(clear_view, signed_with(signature, what), signature);
-        outline = select(largest(weight) > real(0.25f * world.exposure), signed_with(outline, what), outline);
+        mask clear_mirror = mask_and(alive, largest(weight) > real(0.25f * world.exposure));
+        outline = select(clear_mirror, signed_with(outline, what), outline);
 
         real3 air = real3(real(0.0f));
         if (bounce == 0u) {
@@ -244,10 +258,13 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
             real3 color = real3(lamp.light.color) * select(lit, share, real(0.0f));
             light = light + color * cosine;
             shine = shine + color * bright_spot;
-            word state = select(lit, select(bright_spot > real(0.05f), word(2u), word(1u)), word(0u));
             mask clear_light = mask_and(
                 clear_view, largest(weight) * share * max(matter * cosine, bright_spot) > real(0.03f * world.exposure));
-            signature = select(clear_light, signed_with(signature, state + word(i * 4u)), signature);
+            word lamp_number = word(i * 2u);
+            signature =
+                select(clear_light, signed_with(signature, lamp_number + select(lit, word(1u), word(0u))), signature);
+            mask seen_highlight = mask_and(clear_light, mask_and(lit, bright_spot > real(0.05f)));
+            highlights = select(seen_highlight, signed_with(highlights, lamp_number + word(bounce * 64u)), highlights);
         }
 
         real clear_share = real(1.0f);
@@ -261,7 +278,11 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
             place_out = select(alive, own_place, place_out);
             texture_out = select(alive, texture, texture_out);
         } else {
-            shine = shine + light * texture_colors(world, tables, texture, own_place, alive);
+            real3 color = texture_colors(world, tables, texture, own_place, alive);
+            shine = shine + light * color;
+            // Edges of tiles in a mirror are outlines, too.
+            word bright_tile = select(color.y > real(0.12f), word(1u), word(2u));
+            outline = select(clear_mirror, signed_with(outline, bright_tile), outline);
         }
         added = select(alive, added + weight * shine, added);
 
@@ -275,16 +296,19 @@ FN word signed_with(word signature, word what) { return (signature ^ what) * wor
         ray.t_min = error;
         ray.t_max = real(1e6f);
     }
-    place_out = select(texture_out != word(0u), place_out * depth_share, tone_of(added + light_out));
-
-    const real channels[kChannels] = {added.x,     added.y,     added.z,     light_out.x, light_out.y,
-                                      light_out.z, place_out.x, place_out.y, place_out.z, depth_share};
-    for (int lane = 0; lane < kLanes; ++lane) {
-        for (int c = 0; c < kChannels; ++c) out[lane].channels[c] = channels[c].v[lane];
-        out[lane].texture = texture_out.v[lane];
-        out[lane].outline = outline.v[lane];
-        out[lane].signature = signature.v[lane];
-    }
+    Traced out;
+    out.light = added;
+    out.shade = light_out;
+    out.share = out.unused = real(0.0f);
+    out.one = real(1.0f);
+    out.tone = tone_of(added + light_out * texture_colors(world, tables, texture_out, place_out, mask(true)));
+    out.place = place_out * depth_share;
+    out.over_depth = depth_share;
+    out.signature = signature | word(1u);
+    out.highlights = highlights;
+    out.texture = texture_out;
+    out.outline = outline;
+    return out;
 }
 
 INTRO_LANES_END
