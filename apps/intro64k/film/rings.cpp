@@ -11,7 +11,7 @@ using namespace kernel;
 
 namespace {
 
-constexpr Air kLamplight{.bounces = 2,
+constexpr Air kLamplight{.bounces = 1,
                          .vignette = 0.6F,
                          .fog = 0.03F,
                          .fog_color = {0.03F, 0.02F, 0.024F},

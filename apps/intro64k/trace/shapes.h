@@ -131,6 +131,12 @@ FN void quadratic_interval(real a, real b, real c, OUT(real) enter, OUT(real) le
     enter = max(max(enter, e), ray.t_min);
     leave = min(min(leave, l), ray.t_max);
     alive = mask_and(alive, enter < leave);
+    // Most rays pass through the hole: what enters and leaves the disc there never comes near.
+    real3 in = o + d * enter;
+    real3 out = o + d * leave;
+    float inner = solid.ring - solid.tube;
+    real farthest = max(in.x * in.x + in.y * in.y, out.x * out.x + out.y * out.y);
+    alive = mask_and(alive, farthest > real(inner * inner));
     t = enter;
     float close = solid.tube * 0.02f;
     mask walking = alive;
