@@ -53,6 +53,7 @@ void colonnade(World& world, const Moment& now) {
             const float y = static_cast<float>(i) * 6.0F;
             builder.cylinder(vec3(x, y, 0), 4.2F, 0.55F, column);
             builder.box(vec3(x, y, 0.15F), vec3(0.75F, 0.75F, 0.15F), column);
+            builder.shadowless();
         }
         builder.carve({vec3(x, 9, 0)}, vec3(0, 0, 6), 12.6F, arches)
             .block(vec3(0, 0, 5.9F), vec3(0.62F, 12, 1.7F))

@@ -42,7 +42,7 @@ constexpr Air kSunset{.bounces = 2,
 constexpr Sky kSunsetSky{.sun_color = {1.0F, 0.55F, 0.28F}, .clouds = {0.62F, 0.26F, 0.28F}};
 
 /// Turns a colour into another.
-void fade(vec3& color, vec3 other, float share) { color = mix(color, other, share); }
+[[gnu::noinline]] void fade(vec3& color, vec3 other, float share) { color = mix(color, other, share); }
 
 }  // namespace
 

@@ -281,7 +281,7 @@ struct Traced {
             real3 color = texture_colors(world, tables, texture, own_place, alive);
             shine = shine + light * color;
             // Edges of tiles in a mirror are outlines, too.
-            word bright_tile = select(color.y > real(0.12f), word(1u), word(2u));
+            word bright_tile = select(color.y > real(0.3f), word(1u), word(2u));
             outline = select(clear_mirror, signed_with(outline, bright_tile), outline);
         }
         added = select(alive, added + weight * shine, added);
