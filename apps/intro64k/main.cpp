@@ -3,6 +3,7 @@
 #include <SDL.h>
 
 #include <cstdio>
+#include <ctime>
 
 #include "film/film.h"
 #include "show/options.h"
@@ -36,6 +37,7 @@ int write_frame(Renderer& renderer, const Options& options, uint width, uint hei
 int benchmark(Renderer& renderer, const Options& options, uint width, uint height) {
     const Block<uint> pixels(static_cast<std::size_t>(width) * height);
     const double per_second = static_cast<double>(SDL_GetPerformanceFrequency());
+    const std::clock_t processor_start = std::clock();
     double total = 0;
     double slowest = 0;
     float slowest_at = 0;
@@ -50,12 +52,14 @@ int benchmark(Renderer& renderer, const Options& options, uint width, uint heigh
             slowest_at = at;
         }
     }
+    const double processor = static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
     const Counts counts = renderer.counts();
     const double frames = options.frames;
     std::printf("%u frames of %ux%u, %u threads, refinement %s\n", options.frames, width, height, renderer.threads(),
                 options.refinement ? "on" : "off");
     std::printf("frames per second: %.1f on average, %.1f at the slowest (%.2f s)\n", frames / total, 1 / slowest,
                 static_cast<double>(slowest_at));
+    std::printf("processor time: %.1f ms a frame, all threads together\n", processor / frames * 1e3);
     std::printf("rays per second: %.2f million\n", static_cast<double>(counts.rays) / total * 1e-6);
     std::printf("traced points: %.1f of 100 pixels\n",
                 static_cast<double>(counts.points) / frames / width / height * 100);

@@ -152,7 +152,7 @@ struct Traced {
         mask clear_view = mask_and(alive, largest(weight) > real(0.035f * world.exposure));
         word what = (hit.solid << 8u) + hit.part;
         signature = select(clear_view, signed_with(signature, what), signature);
-        mask clear_mirror = mask_and(alive, largest(weight) > real(0.25f * world.exposure));
+        mask clear_mirror = mask_and(alive, largest(weight) > real(0.15f * world.exposure));
         outline = select(clear_mirror, signed_with(outline, what), outline);
 
         real3 air = real3(real(0.0f));
