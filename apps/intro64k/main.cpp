@@ -20,6 +20,7 @@ Quality quality_of(const Options& options) { return {options.refinement, options
 int write_frame(Renderer& renderer, const Options& options, uint width, uint height) {
     const Block<uint> pixels(static_cast<std::size_t>(width) * height);
     renderer.draw(options.seconds, quality_of(options), {pixels.get(), width, height, width});
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): gsl::owner is no part of this project
     std::FILE* file = std::fopen(options.file, "wb");
     bool good = file != nullptr;
     if (good) {
@@ -27,7 +28,7 @@ int write_frame(Renderer& renderer, const Options& options, uint width, uint hei
         for (std::size_t i = 0; i < static_cast<std::size_t>(width) * height; ++i)
             for (int shift = 16; shift >= 0; shift -= 8) std::fputc(static_cast<int>(pixels[i] >> shift & 255), file);
         good = std::ferror(file) == 0;
-        good = std::fclose(file) == 0 && good;
+        good = std::fclose(file) == 0 && good;  // NOLINT(cppcoreguidelines-owning-memory)
     }
     if (good) return 0;
     std::perror(options.file);
@@ -70,7 +71,7 @@ int run(int count, char** words) {
     const Options options = read_options(count, words);
     if (options.task == Task::kWrong) return 2;
     if (options.task == Task::kHelp) {
-        std::fputs(kHelp, stdout);
+        std::fputs(help(), stdout);
         return 0;
     }
     const uint cores = static_cast<uint>(SDL_GetCPUCount());

@@ -11,15 +11,16 @@
 
 namespace sundog::intro {
 
-const char* const kHelp =
-    "sundog-intro: a film, ray traced while you watch. Escape ends it.\n"
-    "  --window WxH        in a window, not over the full screen\n"
-    "  --benchmark [N]     N frames (6000) as fast as it can, then frames and rays per second\n"
-    "  --frame T FILE.ppm  writes the frame at T seconds (0 to 100), 1280x720 or as --window says\n"
-    "  --no-refinement     traces every pixel\n"
-    "  --show-rays         paints traced pixels white\n"
-    "  --threads N         1 to 64 (as many as there are cores)\n"
-    "  --silent            without sound\n";
+const char* help() {
+    return "sundog-intro: a film, ray traced while you watch. Escape ends it.\n"
+           "  --window WxH        in a window, not over the full screen\n"
+           "  --benchmark [N]     N frames (6000) as fast as it can, then frames and rays per second\n"
+           "  --frame T FILE.ppm  writes the frame at T seconds (0 to 100), 1280x720 or as --window says\n"
+           "  --no-refinement     traces every pixel\n"
+           "  --show-rays         paints traced pixels white\n"
+           "  --threads N         1 to 64 (as many as there are cores)\n"
+           "  --silent            without sound\n";
+}
 
 namespace {
 
@@ -49,7 +50,7 @@ Options read_options(int count, char** words) {
         options.task = Task::kWrong;
         return options;
     };
-    for (int i = 1; i < count; ++i) {
+    for (int i = 1; i < count && words[i] != nullptr; ++i) {
         const char* word = words[i];
         const char* next = i + 1 < count ? words[i + 1] : nullptr;
         const auto is = [word](const char* name) { return std::strcmp(word, name) == 0; };

@@ -24,6 +24,6 @@ struct Options {
 Options read_options(int count, char** words);
 
 /// What the options are.
-extern const char* const kHelp;
+const char* help();
 
 }  // namespace sundog::intro

@@ -18,7 +18,7 @@ public:
     explicit Block(std::size_t count) : first_(static_cast<T*>(std::calloc(count, sizeof(T)))) {
         if (first_ == nullptr) std::abort();
     }
-    ~Block() { std::free(first_); }
+    ~Block() { std::free(first_); }  // NOLINT(cppcoreguidelines-owning-memory): this is the owner
     Block(const Block&) = delete;
     Block& operator=(const Block&) = delete;
     [[nodiscard]] T* get() const { return first_; }

@@ -56,7 +56,7 @@ void make_noise(uint* voxels, uint first, uint last) {
                 for (int lane = 0; lane < kLanes; ++lane) row[x + static_cast<uint>(lane)] = scaled.v[lane];
             }
             row[kVolumeSide] = row[0];
-            uint* out = voxels + ((z << kVolumeBits) + y) * kVolumeSide;
+            uint* out = voxels + std::size_t{(z << kVolumeBits) + y} * kVolumeSide;
             for (uint x = 0u; x < kVolumeSide; x = x + 1u) out[x] = row[x] | row[x + 1u] << 16u;
         }
     }

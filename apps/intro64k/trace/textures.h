@@ -24,7 +24,7 @@ INTRO_LANES_BEGIN
         entry = entry * (127.0f / 255.0f) + 128.0f * odd;
     }
     word index = word_from_real(clamp(entry, real(0.0f), real(255.0f)));
-    word packed = gather_lanes(tables.palettes + texture.palette * kPaletteSize, 1, index);
+    word packed = gather_lanes(tables.palettes + std::size_t{texture.palette} * kPaletteSize, 1, index);
     real3 root = real3(real_from_word(packed & word(1023u)), real_from_word((packed >> 10u) & word(1023u)),
                        real_from_word(packed >> 20u)) *
                  real(1.0f / 1023.0f);

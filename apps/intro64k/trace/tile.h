@@ -66,7 +66,7 @@ struct PointTracer {
 /// reflections may be as soft as that.
 inline bool same_outline(const TileWork& work, uint x, uint y) {
     const uint* first = work.outlines + point_index(x, y);
-    return first[0] == first[2] && first[0] == first[2 * kPointsAcross] && first[0] == first[2 * kPointsAcross + 2];
+    return first[0] == first[2] && first[0] == first[2UL * kPointsAcross] && first[0] == first[2UL * kPointsAcross + 2];
 }
 
 /// 0, 1, 2, ... in the lanes.
@@ -103,10 +103,10 @@ FN word lane_numbers() {
                                       : work.places[point];
         }
         const sampling::Float4 ends[4] = {v[0], v[1] - v[0], v[2] - v[0], v[3] - v[1] - v[2] + v[0]};
-        __builtin_memcpy(from + 4 * i, &ends[0], sizeof ends[0]);
-        __builtin_memcpy(across + 4 * i, &ends[1], sizeof ends[1]);
-        __builtin_memcpy(down + 4 * i, &ends[2], sizeof ends[2]);
-        __builtin_memcpy(both + 4 * i, &ends[3], sizeof ends[3]);
+        __builtin_memcpy(from + 4UL * i, &ends[0], sizeof ends[0]);
+        __builtin_memcpy(across + 4UL * i, &ends[1], sizeof ends[1]);
+        __builtin_memcpy(down + 4UL * i, &ends[2], sizeof ends[2]);
+        __builtin_memcpy(both + 4UL * i, &ends[3], sizeof ends[3]);
     }
     const bool whole = x0 + size <= picture.width && y0 + size <= picture.height;
     const uint bits = size == 8 ? 3 : size == 4 ? 2 : size == 2 ? 1 : 0;
@@ -149,8 +149,9 @@ inline void fill_divided(const Picture& picture, const TileWork& work, uint tile
         const uint y = at.y + i / 2;
         if (tile_x + x >= picture.width || tile_y + y >= picture.height) continue;
         const sampling::Float4* first = work.tones + point_index(x, y);
-        const sampling::Float4 mean = (first[0] + first[1] + first[kPointsAcross] + first[kPointsAcross + 1]) * 0.25f;
-        const auto channel = [mean](int c) { return static_cast<uint>(static_cast<int>(mean[c] + 0.5f)); };
+        const sampling::Float4 mean =
+            (first[0] + first[1] + first[kPointsAcross] + first[kPointsAcross + 1]) * 0.25f + 0.5f;
+        const auto channel = [mean](int c) { return static_cast<uint>(static_cast<int>(mean[c])); };
         picture.pixels[(tile_y + y) * static_cast<std::size_t>(picture.pitch) + tile_x + x] =
             channel(0) << 16 | channel(1) << 8 | channel(2);
     }
