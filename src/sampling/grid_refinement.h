@@ -52,7 +52,9 @@ public:
                 const TilePlace at = squares_[list][i];
                 const bool forced =
                     finest != nullptr && step > finest[at.y / kSquareSide * kSquaresAcross + at.x / kSquareSide];
-                if (!forced && grid_.agree(at.x, at.y, step, quality)) {
+                const bool agrees =
+                    step > 2 ? grid_.agree(at.x, at.y, step, quality) : grid_.agree_softly(at.x, at.y, quality);
+                if (!forced && agrees) {
                     if (grid_.surface(at.x, at.y) != 0)
                         looked_[looked_count_++] = {at, static_cast<std::uint8_t>(step)};
                     else fill(at, step, pixels);

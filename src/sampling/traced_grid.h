@@ -97,21 +97,26 @@ public:
         }
     }
 
-    /// True if the points at all four corners remember the same and look alike. Between points two pixels apart hardly
-    /// anything hides: there edges of highlights, and faint ones of shadows and of what mirrors show, may be two pixels
-    /// soft; the outlines of what the eye itself sees never are.
+    /// True if the points at all four corners remember the same and look alike.
     [[nodiscard]] bool agree(int x, int y, int step, const RefinementQuality& quality) const {
-        const int a = index(x, y), b = a + step, c = index(x, y + step), d = c + step;
-        if (signature_[a] == 0 || signature_[b] == 0 || signature_[c] == 0 || signature_[d] == 0) return false;
-        const auto same = [&](const std::uint32_t* of) { return of[a] == of[b] && of[a] == of[c] && of[a] == of[d]; };
-        const bool same_all = same(signature_);
-        if (step > 2 ? !(same_all && same(highlights_)) : !(same_all || same(outline_))) return false;
         // What bilinear interpolation misses grows with the square of the step, the difference of the ends with the
         // step: smaller squares may differ by more for the same error.
-        const float times = same_all ? static_cast<float>(kSquareSide) / static_cast<float>(step) : 1;
-        return look_alike(least(least(seen_[a], seen_[b]), least(seen_[c], seen_[d])),
-                          most(most(seen_[a], seen_[b]), most(seen_[c], seen_[d])), times * quality.tolerance);
+        return signature_[index(x, y)] != 0 && same(signature_, x, y, step) && same(highlights_, x, y, step) &&
+               look_alike(x, y, step, quality.tolerance * static_cast<float>(kSquareSide) / static_cast<float>(step));
     }
+    /// The same for points two pixels apart, between which hardly anything hides: edges of highlights, and faint ones
+    /// of shadows and of what mirrors show, may be two pixels soft; the outlines of what the eye itself sees never are.
+    [[nodiscard]] bool agree_softly(int x, int y, const RefinementQuality& quality) const {
+        constexpr int kStep = 2;
+        const int a = index(x, y), c = index(x, y + kStep);
+        if (signature_[a] == 0 || signature_[a + kStep] == 0 || signature_[c] == 0 || signature_[c + kStep] == 0)
+            return false;
+        if (same(signature_, x, y, kStep))
+            return look_alike(x, y, kStep, quality.tolerance * (static_cast<float>(kSquareSide) / kStep));
+        return same_outline(x, y, kStep) && look_alike(x, y, kStep, quality.tolerance);
+    }
+    /// True if the eye sees one object at all four corners.
+    [[nodiscard]] bool same_outline(int x, int y, int step) const { return same(outline_, x, y, step); }
 
     [[nodiscard]] Float4 light(int x, int y) const { return light_[index(x, y)]; }
     [[nodiscard]] Float4 shade(int x, int y) const { return shade_[index(x, y)]; }
@@ -123,10 +128,17 @@ public:
 
 private:
     static constexpr int index(int x, int y) { return y * kPointsAcross + x; }
+    static bool same(const std::uint32_t* of, int x, int y, int step) {
+        const int a = index(x, y), c = index(x, y + step);
+        return of[a] == of[a + step] && of[a] == of[c] && of[a] == of[c + step];
+    }
     static Float4 least(Float4 a, Float4 b) { return a < b ? a : b; }
     static Float4 most(Float4 a, Float4 b) { return a > b ? a : b; }
 
-    static bool look_alike(Float4 low, Float4 high, float most_apart) {
+    [[nodiscard]] bool look_alike(int x, int y, int step, float most_apart) const {
+        const int a = index(x, y), c = index(x, y + step);
+        const Float4 low = least(least(seen_[a], seen_[a + step]), least(seen_[c], seen_[c + step]));
+        const Float4 high = most(most(seen_[a], seen_[a + step]), most(seen_[c], seen_[c + step]));
         const Float4 apart = high - low;
         // Written so that NaN isn't like anything.
         return apart[0] <= most_apart && apart[1] <= most_apart && apart[2] <= most_apart && apart[3] <= most_apart;

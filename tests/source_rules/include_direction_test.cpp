@@ -42,6 +42,7 @@ const std::vector<Rule>& rules() {
         {"src/device/choose",
          {"device/choose", "device/cpu/cpu_device.h", "device/vulkan/vulkan_device.h", "device/", "base"}},
         {"src/session", {"session", "device/", "sampling", "kernel", "base"}},
+        {"apps/intro64k", {"apps/intro64k", "kernel", "sampling"}},
     };
     return table;
 }
@@ -80,18 +81,22 @@ std::optional<std::string> quoted_include(const std::string& line) {
     return line.substr(open + 1, close - open - 1);
 }
 
-/// Relative to src: includes are written from src or from the including file's own folder.
+/// Relative to src: includes are written from src, from the demo's folder (in the demo), or from the including file's
+/// own folder.
 std::string from_src(const SourceFile& source, const std::string& included) {
     namespace fs = std::filesystem;
     const fs::path root = SUNDOG_SOURCE_DIR;
     if (fs::exists(root / "src" / included)) return included;
+    constexpr std::string_view kDemo = "apps/intro64k";
+    if (is_below(source.path, kDemo) && fs::exists(root / kDemo / included))
+        return (fs::path(kDemo) / included).string();
     const fs::path beside = fs::path(source.path).parent_path() / included;
     return beside.lexically_normal().lexically_relative("src").generic_string();
 }
 
 // Catches a folder that comes to depend on one above it, so that the parts can no longer be used apart.
 TEST(SourceRules, IncludesPointTheRightWay) {
-    const auto sources = read_sources({"src"}, {".h", ".cpp", ".comp", ".glsl"});
+    const auto sources = read_sources({"src", "apps/intro64k"}, {".h", ".cpp", ".comp", ".glsl"});
     ASSERT_GT(sources.size(), 40U) << "the search itself found too little";
     for (const SourceFile& source : sources) {
         const Rule* rule = rule_for(source.path);
@@ -131,6 +136,7 @@ TEST(SourceRules, TheCheckRefusesWrongDirections) {
     EXPECT_FALSE(allowed("src/session/a.cpp", "device/cpu/cpu_device.h"));
     EXPECT_FALSE(allowed("src/import/obj/a.cpp", "import/orbit/orbit_import.h"));
     EXPECT_FALSE(allowed("src/kernel/a.h", "kernels/b.h"));
+    EXPECT_FALSE(allowed("apps/intro64k/show/a.cpp", "base/vec.h"));
     EXPECT_TRUE(allowed("src/session/a.cpp", "device/device.h"));
     EXPECT_EQ(quoted_include("  #  include \"a/b.h\"  // why"), "a/b.h");
     EXPECT_FALSE(quoted_include("// #include \"a/b.h\""));
