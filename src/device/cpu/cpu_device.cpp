@@ -122,7 +122,6 @@ public:
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             kernel::SceneView view = cpu::view_of(*scene_, frame, traversal().handle());
-            view.records = true;
             view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
             view.photons = photons_ ? photons_->photons.get() : nullptr;
             for_each_tile(film.bounds, sampling::kRefinedTileSide,

@@ -11,7 +11,7 @@ namespace sundog::cpu {
 
 /// A tile to refine: at most sampling::kRefinedTileSide pixels a side.
 struct GridWork {
-    const kernel::SceneView& scene;  ///< With `records`.
+    const kernel::SceneView& scene;
     PointKernel trace = nullptr;
     LookKernel look = nullptr;
     PixelRect region;  ///< Pixels to write.

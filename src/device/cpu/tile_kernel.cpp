@@ -24,9 +24,6 @@ KERNEL_END
 #include "device/cpu/tracing.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
-#ifdef SUNDOG_POINT_KERNEL
-#include "device/cpu/trace_points.h"
-#endif
 #ifdef SUNDOG_PHOTON_KERNEL
 #include "kernel/integrators/photons.h"
 #endif
@@ -247,15 +244,6 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     }
     return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
 }
-
-#ifdef SUNDOG_POINT_KERNEL
-BatchRays SUNDOG_POINT_KERNEL(const PointBatch& points, sampling::PointRecord* records) {
-    return trace_points(points, records);
-}
-BatchRays SUNDOG_LOOK_KERNEL(const PointBatch& points, sampling::SurfaceLook* looks) {
-    return look_at_points(points, looks);
-}
-#endif
 
 #ifdef SUNDOG_RAY_KERNEL
 BatchRays SUNDOG_RAY_KERNEL(const SceneView& scene, std::span<const BatchRay> rays, std::span<BatchAnswer> answers) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
 // SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
-// nothing there). Units for a part of the features also fix whether paths remember what they met (RECORDING; see
-// integrators/record.h), by SUNDOG_KERNEL_RECORDS; others ask SceneView::records. Everything that depends on them lives in an inline namespace of its own, so units of different
+// nothing there), and SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
+// integrators/record.h). Everything that depends on them lives in an inline namespace of its own, so units of different
 // kinds can be linked together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
@@ -21,22 +21,18 @@
 #define SUNDOG_KERNEL_PASTE(a, b, c) SUNDOG_KERNEL_PASTE_(a, b, c)
 #ifdef SUNDOG_KERNEL_RECORDS
 #define SUNDOG_KERNEL_PURPOSE recording_
+#define RECORDING true
 #else
 #define SUNDOG_KERNEL_PURPOSE
+#define RECORDING false
 #endif
 #ifdef SUNDOG_KERNEL_FEATURES
 #define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(SUNDOG_KERNEL_PURPOSE, plain_lanes, SUNDOG_KERNEL_LANES)
 #define FN_RECURSIVE FN
-#ifdef SUNDOG_KERNEL_RECORDS
-#define RECORDING true
-#else
-#define RECORDING false
-#endif
 #else
 #define SUNDOG_KERNEL_SPACE SUNDOG_KERNEL_PASTE(SUNDOG_KERNEL_PURPOSE, lanes, SUNDOG_KERNEL_LANES)
 #define SUNDOG_KERNEL_FEATURES 0xffffffffu
 #define FN_RECURSIVE FN_LARGE
-#define RECORDING scene.records
 #endif
 #define KERNEL_BEGIN           \
     namespace sundog::kernel { \
@@ -75,7 +71,6 @@ struct SceneView {
     const HostFields* host_fields = nullptr;  ///< Set where some program asks (kernel/patterns/host_fields.h).
     const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
     const PhotonLight* photons = nullptr;     ///< Set where FEATURE_PHOTONS is (kernel/lights/photon_light.h).
-    bool records = false;                     ///< Whether paths remember what they met.
     uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 
