@@ -47,6 +47,8 @@
 // FN_RECURSIVE, above: for a large function that calls itself, but never in plain scenes, which its call would slow.
 #define OUT(T) T&
 #define INOUT(T) T&
+/// A parameter that is only read, and too large to be copied.
+#define LARGE(T) const T&
 #define SCENE const SceneView &scene,
 #define SCENE_ scene,
 #define FRAME scene.frame

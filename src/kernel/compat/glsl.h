@@ -11,6 +11,7 @@
 #define FN_RECURSIVE
 #define OUT(T) out T
 #define INOUT(T) inout T
+#define LARGE(T) T
 #define SCENE
 #define SCENE_
 #define FRAME frame

@@ -28,7 +28,7 @@ FN mask lit_lanes(SCENE Surface s, mask patterned, real3 to_light, mask alive, O
 }
 
 /// Adds what light of number `light_number` does that arrives from one direction in the lanes of `lit`.
-FN void add_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 light_color, uint light_flags,
+FN void add_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, real3 light_color, uint light_flags,
                   uint light_number, mask lit, mask behind, real3 to_light, real3 to_eye, INOUT(real3) base,
                   INOUT(real3) highlight) {
     light_color = select(lit, light_color, real3(real(0.0f)));
@@ -58,8 +58,9 @@ struct LightStates {
 const float VISIBLE_HIGHLIGHT = 0.02f;
 
 /// Light that a surface sends back from the lights alone: matt and emitted light in `base`, highlights apart.
-FN void direct_light(SCENE Surface s, Lobes lobes, LayerColors layered, real3 to_eye, MediaInsides media, mask alive,
-                     INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight, OUT(LightStates) states) {
+FN void direct_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, real3 to_eye, MediaInsides media,
+                     mask alive, INOUT(RayCounts) counts, OUT(real3) base, OUT(real3) highlight,
+                     OUT(LightStates) states) {
     states.lit = word(0u);
     states.highlit = word(0u);
     base = lobes.emission + lobes.ambient * real3(FRAME.ambient);

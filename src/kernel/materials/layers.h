@@ -193,7 +193,7 @@ FN real3 film_color(SCENE Layer layer, real3 p, real cos_light, real cos_eye) {
 
 /// Adds what one light does to the lanes of `lit` that have textures: to `base` matt light, to `highlight` highlights.
 /// `behind`: lanes whose back it lights. `light_number` tells lights apart where something is random.
-FN void light_layers(SCENE Surface s, LayerColors layered, mask lit, mask behind, mask patterned_lanes,
+FN void light_layers(SCENE Surface s, LARGE(LayerColors) layered, mask lit, mask behind, mask patterned_lanes,
                      real3 light_color, uint light_flags, uint light_number, real3 to_light, real3 to_eye,
                      INOUT(real3) base, INOUT(real3) highlight) {
     real3 black = real3(real(0.0f));
