@@ -57,12 +57,16 @@ private:
         if ((m.flags & kernel::MATERIAL_PATTERNED) == 0) return;
         const std::uint32_t entry = scene_.patterned[m.patterned].*listed_;
         if (entry == none_) return;
-        // Two parts that share one interior: see media_beyond() in kernel/atmosphere/media_insides.h. What all objects
-        // without an interior share are as many as the objects.
-        const bool counted = entry == kernel::MEDIUM_SOLID ||
-                             (listed_ == &kernel::PatternedMaterial::interior && entry == kernel::INTERIOR_PLAIN);
+        // What is around the point for good, and not what rays go in and out of: one for all objects that have no
+        // interior of their own.
+        if (listed_ == &kernel::PatternedMaterial::interior && entry == kernel::INTERIOR_PLAIN) {
+            if (std::find(found_.begin(), found_.end(), kInteriorAround) == found_.end())
+                found_.push_back(kInteriorAround);
+            return;
+        }
+        // Two parts that share one interior: see media_beyond() in kernel/atmosphere/media_insides.h.
         const auto known = std::find(found_.begin(), found_.end(), entry);
-        if (known == found_.end() || counted) found_.push_back(entry);
+        if (known == found_.end() || entry == kernel::MEDIUM_SOLID) found_.push_back(entry);
         else found_.erase(known);
     }
 

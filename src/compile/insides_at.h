@@ -11,6 +11,11 @@
 
 namespace sundog {
 
+/// In RenderScene::interiors: that of objects without an interior of their own that are around an eye or a light.
+/// Unlike INTERIOR_PLAIN it is no surface's, so that a part that is cut out of glass isn't taken for the end of the
+/// sky.
+inline constexpr std::uint32_t kInteriorAround = 2;
+
 /// Fills `out` with PatternedMaterial::medium of what holds a point at rest, NONE behind; solids first. What finds no
 /// place in it is left out. Meshes of plain triangles have no inside.
 void set_media_insides(const RenderScene& scene, Vec3d point, std::span<std::uint32_t> out);
