@@ -7,9 +7,8 @@
 
 #include "base/diagnostics.h"
 #include "compile/convert.h"
-#include "compile/pattern_compiler.h"
-
 #include "compile/insides_at.h"
+#include "compile/pattern_compiler.h"
 #include "fields/pigment_code.h"
 
 namespace sundog {

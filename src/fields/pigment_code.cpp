@@ -138,7 +138,6 @@ std::uint32_t wave_of(const Pattern& pattern) {
     return kernel::WAVE_RAMP;
 }
 
-/// Writes one pigment's program.
 /// A function that is a component of a pigment at the pattern's point, or a power of it: what scenes write to change a
 /// pigment's gamma.
 struct PigmentPower {
@@ -172,6 +171,7 @@ std::optional<PigmentPower> pigment_power_of(const Pattern& pattern) {
     return out;
 }
 
+/// Writes one pigment's program.
 class ProgramWriter {
 public:
     ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host) : code_(code), host_(host) {}
