@@ -13,6 +13,7 @@
 
 #include "compile/compile.h"
 #include "device/choose/choose.h"
+#include "gallery.h"
 #include "import/import.h"
 #include "machine.h"
 #include "spd/spd.h"
@@ -26,8 +27,6 @@ constexpr int kWidth = 320, kHeight = 240, kBlock = 8;
 constexpr double kRoundSeconds = 0.1;
 /// Pixels whose steps are counted.
 constexpr std::size_t kCountedPixels = 600;
-
-constexpr std::array<const char*, 5> kGallery{"table", "cornell", "mirrors", "glass", "textured"};
 
 struct Generated {
     const char* name;
@@ -142,7 +141,7 @@ void measure_scene(const std::string& name, const AccelOptions& options, const S
 }  // namespace
 
 std::vector<std::string> accel_scene_names() {
-    std::vector<std::string> names(kGallery.begin(), kGallery.end());
+    std::vector<std::string> names(kGalleryScenes.begin(), kGalleryScenes.end());
     for (const Generated& generated : kGenerated) names.emplace_back(generated.name);
     return names;
 }

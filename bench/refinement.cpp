@@ -9,6 +9,7 @@
 
 #include "compile/compile.h"
 #include "device/choose/choose.h"
+#include "gallery.h"
 #include "import/import.h"
 #include "output/compare.h"
 #include "session/session.h"
@@ -17,7 +18,6 @@
 namespace sundog::bench {
 namespace {
 
-constexpr const char* kScenes[] = {"table", "cornell", "mirrors", "glass", "textured"};
 constexpr int kSizes[][2] = {{640, 480}, {1920, 1080}};
 constexpr double kSpan_s = 8;
 
@@ -42,7 +42,7 @@ void run_refinement(const RefinementOptions& options, const std::function<void(c
     const std::filesystem::path gallery = options.gallery.empty() ? SUNDOG_GALLERY : options.gallery;
     const int threads =
         options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    for (const std::string name : kScenes) {
+    for (const std::string name : kGalleryScenes) {
         if (!options.scene.empty() && options.scene != name) continue;
         const scene::Scene scene = import::import_scene(gallery / name / (name + ".scene"), {});
         const std::shared_ptr<const RenderScene> compiled = compile(scene, {});

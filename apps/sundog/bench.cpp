@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/bench.h"
-#include "bench/refinement.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,8 @@
 
 #include "arguments.h"
 #include "bench/accel_bench.h"
+#include "bench/gallery.h"
+#include "bench/refinement.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
@@ -34,7 +35,7 @@ int measure(const bench::BenchOptions& options) {
 }
 
 int measure_refinement(const bench::BenchOptions& options, float tolerance, const std::string& scene) {
-    if (!scene.empty()) parse_choice("--scene", scene, {"table", "cornell", "mirrors", "glass", "textured"});
+    if (!scene.empty()) parse_choice("--scene", scene, {bench::kGalleryScenes.begin(), bench::kGalleryScenes.end()});
     const InterruptGuard interrupt;
     fmt::print("{}", bench::refinement_head());
     bench::run_refinement(

@@ -51,6 +51,8 @@ void check_acceleration(RenderArguments& arguments) {
     if (arguments.show_cost && (arguments.frames || arguments.pixel))
         throw UsageError("--show cost makes one picture: leave --frames and --pixel out",
                          "--time says of which moment");
+    if (arguments.show_cost && arguments.preview)
+        throw UsageError("--show cost traces every pixel: leave --preview out");
     if (arguments.show_cost && (arguments.aovs.planes != 0 || arguments.aovs.samples))
         throw UsageError("--show cost makes no further layers: leave --aov out");
     arguments.device = device_for(arguments.acceleration, arguments.device);
@@ -141,9 +143,9 @@ void add_render(CLI::App& program, Action& action) {
     command
         ->add_option_function<std::string>(
             "--preview", [&a](Text text) { a.preview = parse_float("--preview", text, 0, 1); },
-            "Trace fewer rays than pixels: interpolate where a square's corners see the same and differ by less than "
-            "this "
-            "for the eye (0.1 is hardly seen; 0 traces all)")
+            "Trace fewer rays than pixels: interpolate between points that see the same and differ by less than this "
+            "for "
+            "the eye (0.1 is hardly seen; 0 traces all)")
         ->type_name("T");
     command
         ->add_option_function<std::string>(

@@ -169,14 +169,11 @@ public:
     }
     void add(const SolidPart& part, const scene::Object& object) {
         if (part.solid) {
-            const auto corner = [](Vec3d v) {
-                return Vec3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-            };
             const Bounds3d& bounds = part.solid->bounds();
             out_.solids.push_back({part.solid,
                                    static_cast<std::uint32_t>(out_.geometries.size()),
                                    object.where,
-                                   {corner(bounds.lower), corner(bounds.upper)}});
+                                   {to_float(bounds.lower), to_float(bounds.upper)}});
         }
         if (!continues_run(part.geometry, object)) add(part.geometry, object);
         else out_.geometries.back().primitive_count += part.geometry.primitive_count;

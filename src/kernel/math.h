@@ -87,6 +87,9 @@ FN real sine(real x) {
 /// The largest of three numbers.
 FN real largest(real3 v) { return max(v.x, max(v.y, v.z)); }
 
+/// Luminance of linear RGB (ITU-R BT.709, the primaries of sRGB).
+FN real luminance(real3 color) { return dot(color, real3(real(0.2126f), real(0.7152f), real(0.0722f))); }
+
 /// POV-Ray's grey of a colour: weights of red, green and blue as its pictures show them.
 FN real gray_of(real3 color) { return color.x * 0.297f + color.y * 0.589f + color.z * 0.114f; }
 

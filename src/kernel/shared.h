@@ -139,10 +139,10 @@ KERNEL_CONST uint OP_HOST_WARP = 17u;   ///< point[target] = host's warp of poin
 KERNEL_CONST uint OP_CRACKLE =
     18u;  ///< value[target] = crackle at point[source]: 3 factors of distances, metric, offset, 1 if solid.
 
+KERNEL_CONST uint OP_WEIGHT = 19u;  ///< The program's weight = colour[0].red; where it is 0 in all lanes, it ends.
 /// value[target] = itself to the power of the operand, as a function's value: what is above 1 without its whole part, 0
 /// where there is none.
 KERNEL_CONST uint OP_POWER = 20u;
-KERNEL_CONST uint OP_WEIGHT = 19u;  ///< The program's weight = colour[0].red; where it is 0 in all lanes, it ends.
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;

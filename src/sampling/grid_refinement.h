@@ -10,13 +10,6 @@
 
 namespace sundog::sampling {
 
-/// A pixel whose light is known but not its texture.
-struct SurfaceLook {
-    Float4 light, shade;    ///< As in PointRecord: from here
-    Float4 whole;           ///< to this,
-    std::uint32_t surface;  ///< and which surface was found.
-};
-
 /// Refines one tile at a time. Large: it doesn't belong on a stack of unknown size.
 ///
 /// A Tracer has
@@ -27,11 +20,11 @@ struct SurfaceLook {
 class GridRefinement {
 public:
     /// Makes the pixels of a tile; returns how many points it traced. `finest`: for each of the tile's squares, row by
-    /// row, the side at which to stop dividing whatever the corners say (kSquareSide: where they agree; 1: trace all
-    /// pixels); null: kSquareSide for all.
+    /// row, `finest_stride` from one row to the next, the side down to which it is divided whatever the corners say
+    /// (kSquareSide: where they disagree; 1: all pixels are traced); null: kSquareSide for all.
     template <class Tracer>
     int refine(Tracer& tracer, const TilePixels& pixels, const RefinementQuality& quality,
-               const std::uint8_t* finest = nullptr) {
+               const std::uint8_t* finest = nullptr, std::ptrdiff_t finest_stride = kSquaresAcross) {
         grid_.clear();
         looked_count_ = 0;
         int count = 0;
@@ -51,10 +44,9 @@ public:
             for (int i = 0; i < count; ++i) {
                 const TilePlace at = squares_[list][i];
                 const bool forced =
-                    finest != nullptr && step > finest[at.y / kSquareSide * kSquaresAcross + at.x / kSquareSide];
-                const bool agrees =
-                    step > 2 ? grid_.agree(at.x, at.y, step, quality) : grid_.agree_softly(at.x, at.y, quality);
-                if (!forced && agrees) {
+                    finest != nullptr && step > finest[at.y / kSquareSide * finest_stride + at.x / kSquareSide];
+                if (!forced &&
+                    (step > 2 ? grid_.agree(at.x, at.y, step, quality) : grid_.agree_softly(at.x, at.y, quality))) {
                     if (grid_.surface(at.x, at.y) != 0)
                         looked_[looked_count_++] = {at, static_cast<std::uint8_t>(step)};
                     else fill(at, step, pixels);

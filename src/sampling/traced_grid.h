@@ -39,6 +39,13 @@ struct PointRecord {
     std::uint32_t rays = 0;  ///< Of all kinds, that the point took.
 };
 
+/// A pixel whose light is known but not its texture.
+struct SurfaceLook {
+    Float4 light, shade;    ///< As in PointRecord: from here
+    Float4 whole;           ///< to this,
+    std::uint32_t surface;  ///< and which surface was found.
+};
+
 /// A point of a tile, in pixels from its first.
 struct TilePlace {
     std::uint8_t x, y;

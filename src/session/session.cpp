@@ -122,7 +122,7 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
 
 RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop) {
     std::vector<std::uint8_t> finest;
-    if (device_->can_refine(frame)) {
+    if (tolerance > 0 && device_->can_refine(frame)) {
         if (!thin_items_) thin_items_ = thin_items(*scene_);
         finest = finest_squares(*thin_items_, frame);
     }

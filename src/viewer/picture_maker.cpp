@@ -51,6 +51,7 @@ std::optional<DeviceInfo> PictureMaker::set_request(ViewRequest request) {
     device_choice_ = request_.device;
     loaded_ = request_.scene;
     budget_.forget();
+    faster_way_.forget();
     return session_->device().info();
 }
 
@@ -59,12 +60,19 @@ bool PictureMaker::render_quickly(const StopFlag& stop) {
     const PixelRect bounds{0, 0, size.width, size.height};
     if (film_.bounds != bounds) film_ = Film(bounds);
     const auto begin = std::chrono::steady_clock::now();
+    const Frame frame = frame_of(size);
+    const bool can_refine = session_->device().can_refine(frame);
+    const bool refines = can_refine && faster_way_.refine_next();
     film_is_current_ = false;
-    film_is_traced_ = !session_->device().can_refine(frame_of(size));
-    last_pass_ = session_->refine_into(frame_of(size), kMovingTolerance, std::exp2(request_.exposure_ev), film_, stop);
+    film_is_traced_ = !refines;
+    last_pass_ = refines ? session_->refine_into(frame, kMovingTolerance, std::exp2(request_.exposure_ev), film_, stop)
+                         : session_->render_into(frame, 0, 1, film_, stop);
     if (!last_pass_.complete) return false;
     last_pass_s_ = seconds_since(begin);
     budget_.report(size, last_pass_s_);
+    const auto pixels = static_cast<double>(size.pixels());
+    if (refines) faster_way_.report_refined(last_pass_s_ / pixels, static_cast<double>(last_pass_.points) / pixels);
+    else if (can_refine) faster_way_.report_traced(last_pass_s_ / pixels);
     samples_ = 1;
     film_is_current_ = true;
     return true;

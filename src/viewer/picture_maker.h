@@ -13,6 +13,7 @@
 #include "compile/compile.h"
 #include "output/image.h"
 #include "session/session.h"
+#include "viewer/faster_way.h"
 #include "viewer/frame_budget.h"
 #include "viewer/loaded_scene.h"
 
@@ -79,6 +80,7 @@ private:
     DeviceOpener open_device_;
     std::uint32_t max_samples_;
     FrameBudget budget_;
+    FasterWay faster_way_;
     ViewRequest request_;
     std::unique_ptr<Session> session_;
     std::string device_choice_;

@@ -6,7 +6,7 @@
 #include "trace/prepare.h"
 #include "trace/tile.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 inline void paint_traced(const Picture& picture, const TileWork& work, uint tile_x, uint tile_y) {
     for (uint y = 0; y < kTileSide && tile_y + y < picture.height; ++y)
@@ -74,4 +74,4 @@ inline void draw_squares(const World& world, const Tables& tables, const Quality
     if (quality.shows_traced) paint_traced(picture, work, tile_x, tile_y);
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The namespace for code that is compiled once for each width of vectors, as the kernel's own is (kernel/compat/cpp.h).
+// The kernel's vectors, by their own names, in the units that are compiled with them (SUNDOG_KERNEL_LANES).
 #pragma once
 
 #include "kernel/compat/compat.h"
 
-#define INTRO_LANES_BEGIN     \
-    namespace sundog::intro { \
-    inline namespace SUNDOG_KERNEL_SPACE {
-#define INTRO_LANES_END \
-    }                   \
-    }
-
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 using namespace kernel;
 
-INTRO_LANES_END
+}  // namespace sundog::intro

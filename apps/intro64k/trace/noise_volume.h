@@ -6,7 +6,7 @@
 #include "trace/lanes.h"
 #include "trace/tables.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 /// The eight voxels around a place, and where it lies among them.
 struct Voxels {
@@ -62,4 +62,4 @@ FN Voxels voxels_at(const uint* voxels, real3 p) {
     return real2(rise_x * v.f.x * (1.0f - v.f.x) * scale, rise_y * v.f.y * (1.0f - v.f.y) * scale);
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

@@ -4,7 +4,7 @@
 #include "kernel/patterns/noise.h"
 #include "trace/lanes.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 /// lattice_sum() of kernel/patterns/noise.h with a period of `period` cells (a power of two) along each axis.
 FN real periodic_noise(real3 p, uint period, uint seed) {
@@ -30,7 +30,7 @@ FN real periodic_noise(real3 p, uint period, uint seed) {
     return sum;
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro
 
 namespace sundog::intro {
 

@@ -8,7 +8,7 @@
 #include "stage/world.h"
 #include "trace/lanes.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 inline constexpr float kFar = 3.0e38f;
 
@@ -228,4 +228,4 @@ FN mask may_hit(const Solid& s, const Ray& ray) {
     return from_own_space(solid, normalize(n));
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

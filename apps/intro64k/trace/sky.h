@@ -5,7 +5,7 @@
 #include "kernel/math.h"
 #include "trace/lanes.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 /// 1 at x = 0, falling off like a bell without an exponential.
 FN real bell(real x) {
@@ -56,4 +56,4 @@ FN real3 cloud_light(const Sky& sky, real3 d, real3 clear) {
     return (lit - clear) * rise;
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

@@ -5,7 +5,7 @@
 #include "trace/noise_volume.h"
 #include "trace/tables.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 /// The colour of one texture at places in its space.
 [[gnu::noinline]] inline real3 texture_color(const Tables& tables, const Texture& texture, const real3& place) {
@@ -44,4 +44,4 @@ FN real3 texture_colors(const World& world, const Tables& tables, word number, r
     return color;
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

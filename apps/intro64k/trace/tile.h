@@ -5,7 +5,7 @@
 #include "trace/tile_work.h"
 #include "trace/trace.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 /// 0xRRGGBB; `pattern` is added to hide steps.
 FN word pixel_of(real3 tone, real pattern) {
@@ -150,4 +150,4 @@ inline void fill_divided(const Picture& picture, const TileWork& work, uint tile
     }
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

@@ -10,7 +10,7 @@
 #include "trace/textures.h"
 #include "trace/tile_work.h"
 
-INTRO_LANES_BEGIN
+namespace sundog::intro {
 
 /// Red, green and blue from 0 to 255 of radiance: a film's curve (Narkowicz, ACES Filmic Tone Mapping Curve, 2016), and
 /// the square root in place of the screen's own gamma.
@@ -311,4 +311,4 @@ struct Traced {
     return out;
 }
 
-INTRO_LANES_END
+}  // namespace sundog::intro

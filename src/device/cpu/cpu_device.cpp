@@ -7,7 +7,6 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstring>
 #include <fstream>
@@ -266,25 +265,17 @@ private:
         }
         std::unique_ptr<sampling::GridRefinement>& refinement = refinements_.local();
         if (!refinement) refinement = std::make_unique<sampling::GridRefinement>();
-        std::array<std::uint8_t, std::size_t{sampling::kSquaresAcross} * sampling::kSquaresAcross> finest;
-        finest.fill(sampling::kSquareSide);
-        if (!work.finest.empty()) {
-            const auto squares = [](int pixels) {
-                return (pixels + sampling::kSquareSide - 1) / sampling::kSquareSide;
-            };
-            for (int y = tile.y0 / sampling::kSquareSide; y < squares(tile.y1); ++y)
-                for (int x = tile.x0 / sampling::kSquareSide; x < squares(tile.x1); ++x)
-                    finest[static_cast<std::size_t>(y % sampling::kSquaresAcross * sampling::kSquaresAcross +
-                                                    x % sampling::kSquaresAcross)] =
-                        work.finest[static_cast<std::size_t>(y * squares(film.bounds.width()) + x)];
-        }
+        const std::ptrdiff_t squares_across = (film.bounds.width() + sampling::kSquareSide - 1) / sampling::kSquareSide;
+        const std::ptrdiff_t first_square =
+            tile.y0 / sampling::kSquareSide * squares_across + tile.x0 / sampling::kSquareSide;
         const bool plain = (view.frame.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::GridRays done = cpu::refine_tile({view,
                                                      plain ? plain_points_ : points_,
                                                      looks_,
                                                      tile,
                                                      {work.tolerance, work.gain},
-                                                     finest.data(),
+                                                     work.finest.empty() ? nullptr : work.finest.data() + first_square,
+                                                     squares_across,
                                                      *refinement,
                                                      film});
         totals.rays += done.rays;

@@ -9,6 +9,7 @@
 #include "base/diagnostics.h"
 #include "device/accel/primitive_bounds.h"
 #include "device/accel/primitive_tests.h"
+#include "device/cpu/callback_rays.h"
 #include "device/cpu/coincidence.h"
 #include "device/cpu/solid_callbacks.h"
 
@@ -28,17 +29,6 @@ std::array<float, 12> columns_of(const kernel::Instance& i) {
 
 bool culls(const GeometryData& data, std::uint32_t primitive) {
     return data.culling && data.opaque(material_of(*data.scene, data.geometry, primitive));
-}
-
-kernel::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
-    kernel::Ray ray;
-    ray.origin =
-        kernel::real3(RTCRayN_org_x(rays, n, lane), RTCRayN_org_y(rays, n, lane), RTCRayN_org_z(rays, n, lane));
-    ray.direction =
-        kernel::real3(RTCRayN_dir_x(rays, n, lane), RTCRayN_dir_y(rays, n, lane), RTCRayN_dir_z(rays, n, lane));
-    ray.t_min = RTCRayN_tnear(rays, n, lane);
-    ray.t_max = RTCRayN_tfar(rays, n, lane);
-    return ray;
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ GridRays refine_tile(const GridWork& work) {
     const sampling::TilePixels pixels{film.radiance[film.index(region.x0, region.y0)].data(),
                                       std::ptrdiff_t{4} * film.bounds.width(), region.width(), region.height()};
     Tracer tracer(work);
-    const int points = work.refinement.refine(tracer, pixels, work.quality, work.finest);
+    const int points = work.refinement.refine(tracer, pixels, work.quality, work.finest, work.finest_stride);
     GridRays rays = tracer.rays();
     rays.points = static_cast<std::uint64_t>(points);
     return rays;

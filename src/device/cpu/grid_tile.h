@@ -2,10 +2,12 @@
 // Grid refinement of one tile of a film.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "device/cpu/point_kernel.h"
 #include "device/film.h"
+#include "sampling/grid_refinement.h"
 
 namespace sundog::cpu {
 
@@ -16,7 +18,8 @@ struct GridWork {
     LookKernel look = nullptr;
     PixelRect region;  ///< Pixels to write.
     sampling::RefinementQuality quality;
-    const std::uint8_t* finest = nullptr;  ///< As in GridRefinement::refine().
+    const std::uint8_t* finest = nullptr;  ///< As in GridRefinement::refine(); so finest_stride.
+    std::ptrdiff_t finest_stride = 0;
     sampling::GridRefinement& refinement;  ///< Memory to work in.
     Film& film;
 };

@@ -3,6 +3,8 @@
 // rays. Only units that hold a kernel include it.
 #pragma once
 
+#include <cstdint>
+
 #include "device/cpu/embree.h"
 #include "kernel/rays.h"
 #include "kernel/shapes/all_planes.h"
@@ -22,6 +24,12 @@ using RayHitPacket = RTCRayHit4;
 
 FN vfloat& lanes_of(float* first) { return *reinterpret_cast<vfloat*>(first); }
 FN vuint& lanes_of(unsigned* first) { return *reinterpret_cast<vuint*>(first); }
+
+FN std::uint64_t sum_lanes(word w) {
+    std::uint64_t sum = 0;
+    for (int lane = 0; lane < kLanes; ++lane) sum += w.v[lane];
+    return sum;
+}
 
 FN void store_ray(const Ray& ray, word ray_kind, RayPacket& packet) {
     lanes_of(packet.org_x) = ray.origin.x.v;

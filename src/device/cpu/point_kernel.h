@@ -3,7 +3,7 @@
 #pragma once
 
 #include "device/cpu/ray_batch.h"
-#include "sampling/grid_refinement.h"
+#include "sampling/traced_grid.h"
 
 namespace sundog::cpu {
 

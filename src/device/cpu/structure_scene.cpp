@@ -5,23 +5,13 @@
 #include <optional>
 
 #include "base/diagnostics.h"
+#include "device/cpu/callback_rays.h"
 
 namespace sundog::cpu {
 namespace {
 
 /// Nearly as far as Embree lets boxes reach.
 constexpr float kEverywhere = 1e18F;
-
-kernel::Ray ray_of(RTCRayN* rays, unsigned n, unsigned lane) {
-    kernel::Ray ray;
-    ray.origin =
-        kernel::real3(RTCRayN_org_x(rays, n, lane), RTCRayN_org_y(rays, n, lane), RTCRayN_org_z(rays, n, lane));
-    ray.direction =
-        kernel::real3(RTCRayN_dir_x(rays, n, lane), RTCRayN_dir_y(rays, n, lane), RTCRayN_dir_z(rays, n, lane));
-    ray.t_min = RTCRayN_tnear(rays, n, lane);
-    ray.t_max = RTCRayN_tfar(rays, n, lane);
-    return ray;
-}
 
 }  // namespace
 

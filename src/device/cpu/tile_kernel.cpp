@@ -21,7 +21,6 @@ inline constexpr int kBlockWidth = 2, kBlockHeight = 2;
 
 KERNEL_END
 
-#include "device/cpu/tracing.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
 #ifdef SUNDOG_PHOTON_KERNEL
@@ -30,6 +29,14 @@ KERNEL_END
 
 namespace sundog::cpu {
 namespace {
+
+using namespace kernel;
+
+/// One copy of the integrator for pixels and for rays that gather light.
+[[gnu::noinline]] real3 radiance_along(const SceneView& scene, const Ray& ray, mask alive, RayCounts& counts,
+                                       FirstHit& first) {
+    return whitted_radiance(scene, ray, alive, counts, first);
+}
 
 /// Pixel coordinates of a block's lanes, row by row.
 struct BlockPixels {

@@ -7,7 +7,6 @@
 
 #include "device/cpu/packet_traversal.h"
 #include "device/cpu/point_kernel.h"
-#include "device/cpu/tracing.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
 
@@ -60,16 +59,16 @@ BatchRays trace_points(const PointBatch& points, PointRecord* records) {
         Ray ray;
         const mask alive = rays_through(points, begin, ray);
         FirstHit first;
+        PathRecord record;
         RayCounts counts{word(0U), word(0U)};
-        const StoredColor whole(radiance_along(points.scene, ray, alive, counts, first));
+        const StoredColor whole(recorded_radiance(points.scene, ray, alive, counts, first, record));
         all.rays = all.rays + counts.rays;
         all.shadow_rays = all.shadow_rays + counts.shadow_rays;
-        const PathRecord& record = first.record;
         const StoredColor rest(record.rest), shade(record.shade);
         const StoredReal beyond(record.beyond);
         const StoredWord signature(select(record.unlike != word(0U), word(0U), record.signature | word(1U)));
-        const StoredWord outline(first.geometry * word(0x85ebca6bU) + first.material);
-        const StoredWord highlights(record.highlights), surface(record.surface), rays(counts.rays);
+        const StoredWord outline(record.outline), highlights(record.highlights), surface(record.surface);
+        const StoredWord rays(counts.rays);
         const auto here = static_cast<std::size_t>(std::min(kLanes, points.count - begin));
         for (std::size_t lane = 0; lane < here; ++lane) {
             PointRecord& to = records[static_cast<std::size_t>(begin) + lane];

@@ -30,6 +30,7 @@ struct PathRecord {
     word signature;   ///< Of the objects that were met, in their order, and the lights that lit each.
     word highlights;  ///< Of the lights whose highlights show on each.
     word unlike;      ///< Not 0: nothing is like it.
+    word outline;     ///< Of what the eye sees itself; 0: nothing.
     word surface;     ///< Not 0: the first surface is textured, and this is its number.
     real beyond;      ///< Luminance that came by way of further surfaces.
     real3 shade;      ///< What the first surface's texture (FirstHit::albedo) is multiplied by.
@@ -42,7 +43,6 @@ struct FirstHit {
     real3 normal;
     real3 albedo;
     word geometry, primitive, material;
-    PathRecord record;
 };
 
 /// The ray off a mirror at a surface.

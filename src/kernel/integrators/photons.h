@@ -184,9 +184,8 @@ FN_LARGE PhotonSurface photon_surface(SCENE PathState path, Hit hit, mask found)
         if (FEATURE(FEATURE_DISPERSION)) spectrum = select(path.spectrum < real(0.0f), spectrum, path.spectrum);
         real eta = crossing_eta(SCENE_ at.crossing, interior, path.insides, spectrum);
         at.lobes.eta = select(at.lobes.patterned, eta, at.lobes.eta);
-        at.lobes.enclosed = mask_and(at.crossing.leaves, at.crossing.behind.inner != word(0u));
         LayerColors layered;
-        evaluate_layers(SCENE_ at.s, path.ray.direction, found, false, at.lobes, layered);
+        evaluate_layers(SCENE_ at.s, path.ray.direction, found, is_enclosed(at.crossing), false, at.lobes, layered);
         if (FEATURE(FEATURE_NORMALS)) at.s.normal = layered.mirror;
     }
     return at;

@@ -18,6 +18,7 @@ FN PathRecord blank_record() {
     record.signature = word(1u);
     record.highlights = word(1u);
     record.unlike = word(0u);
+    record.outline = word(0u);
     record.surface = word(0u);
     record.beyond = real(0.0f);
     record.shade = real3(real(0.0f));
@@ -25,13 +26,20 @@ FN PathRecord blank_record() {
     return record;
 }
 
+/// From here on nothing is like the paths in the lanes of `where`.
+FN void record_unlike(mask where, INOUT(PathRecord) record) {
+    record.unlike = record.unlike | select(where, word(1u), word(0u));
+}
+
 /// `memory`, with one more thing at its end in the lanes of `where`.
 FN word remembered(word memory, word thing, mask where) {
     return select(where, hash_word((memory ^ thing) * word(0x9e3779b1u)), memory);
 }
 
-/// The number by which a textured surface is known again.
-FN word surface_number(Surface s) { return hash_word(s.geometry ^ (s.material * word(0x9e3779b1u))) | word(1u); }
+/// A number, not 0, that stands for an object's parts of one material.
+FN word object_number(word geometry, word material) {
+    return hash_word(geometry ^ (material * word(0x9e3779b1u))) | word(1u);
+}
 
 /// Tells in which lanes of `found` a surface is textured, and in which of them in a way that light on it can't be told
 /// from it: bumps, several layers, or a texture that lets light through.
@@ -58,19 +66,20 @@ FN void texture_kind(SCENE Surface s, Lobes lobes, mask found, OUT(mask) texture
     unlike = mask_or(unlike, mask_and(textured, (flags & word(MATERIAL_TRANSPARENT)) != word(0u)));
 }
 
-/// Remembers a surface that `path` met, the first or a further one. `own` is what of `base` (see direct_light) counts.
-FN void record_surface(SCENE Surface s, Lobes lobes, LightStates states, real3 base, real3 counts_share, PathState path,
-                       mask found, bool is_first, INOUT(FirstHit) first) {
-    PathRecord record = first.record;
+/// Remembers a surface that a path of this weight met, the first or a further one. `base`: see direct_light();
+/// `base_share`: how much of it counts.
+FN void record_surface(SCENE Surface s, Lobes lobes, LightStates states, real3 base, real3 base_share, real3 weight,
+                       mask found, bool is_first, INOUT(PathRecord) record) {
     mask textured;
     mask unlike;
     texture_kind(SCENE_ s, lobes, found, textured, unlike);
+    word number = object_number(s.geometry, s.material);
     // Two words a surface: which it is, and what lights it.
-    record.signature = remembered(record.signature, s.geometry * word(0x85ebca6bu) + s.material, found);
+    record.signature = remembered(record.signature, number, found);
     record.signature = remembered(record.signature, states.lit, found);
     record.highlights = remembered(record.highlights, states.highlit, found);
     if (is_first) {
-        real3 shaded = path.weight * (base - lobes.emission) * counts_share;
+        real3 shaded = weight * (base - lobes.emission) * base_share;
         real3 color = max(lobes.albedo, real3(real(DARKEST_TEXTURE)));
         real3 shade = real3(shaded.x / color.x, shaded.y / color.y, shaded.z / color.z);
         // A channel that the texture doesn't reflect says nothing of the light: it is taken to be as bright as others.
@@ -78,24 +87,21 @@ FN void record_surface(SCENE Surface s, Lobes lobes, LightStates states, real3 b
         real darkest = real(DARKEST_TEXTURE);
         shade = real3(select(lobes.albedo.x < darkest, most, shade.x), select(lobes.albedo.y < darkest, most, shade.y),
                       select(lobes.albedo.z < darkest, most, shade.z));
-        record.surface = select(textured, surface_number(s), word(0u));
+        record.outline = select(found, number, word(0u));
+        record.surface = select(textured, number, word(0u));
         record.shade = select(textured, shade, real3(real(0.0f)));
     } else {
-        unlike = mask_or(unlike, mask_and(textured, largest(path.weight) > real(VISIBLE_HIGHLIGHT)));
+        unlike = mask_or(unlike, mask_and(textured, largest(weight) > real(VISIBLE_HIGHLIGHT)));
     }
-    record.unlike = record.unlike | select(unlike, word(1u), word(0u));
-    first.record = record;
+    record_unlike(unlike, record);
 }
 
 /// The same for rays that met nothing.
-FN void record_miss(SCENE mask missed, INOUT(FirstHit) first) {
-    first.record.signature = remembered(first.record.signature, word(NONE), missed);
+FN void record_miss(SCENE mask missed, INOUT(PathRecord) record) {
+    record.signature = remembered(record.signature, word(NONE), missed);
     // What is painted on the sky is not interpolated.
-    if (FEATURE(FEATURE_ATMOSPHERE) && FRAME.sky_layer_count > 0u)
-        first.record.unlike = first.record.unlike | select(missed, word(1u), word(0u));
+    if (FEATURE(FEATURE_ATMOSPHERE) && FRAME.sky_layer_count > 0u) record_unlike(missed, record);
 }
-
-FN real luminance(real3 color) { return dot(color, real3(real(0.2126f), real(0.7152f), real(0.0722f))); }
 
 KERNEL_END
 

@@ -38,7 +38,8 @@ KERNEL_BEGIN
 /// waits on a stack of MAX_BRANCHES entries; when that is full, only the stronger of the two is followed. Highlights
 /// sit on the surface: transparency doesn't thin them. Textures of layers add what they reflect and let through to
 /// their own light, which counts whole at any depth, as POV-Ray has it.
-FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, OUT(FirstHit) first,
+                                 OUT(PathRecord) record) {
     real3 black = real3(real(0.0f));
     real3 radiance = black;
     PathState waiting[MAX_BRANCHES];
@@ -49,7 +50,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
     first.geometry = word(NONE);
     first.primitive = word(NONE);
     first.material = word(NONE);
-    if (RECORDING) first.record = blank_record();
+    if (RECORDING) record = blank_record();
     real3 from_first = black;
     bool is_first = true;
     while (true) {
@@ -85,7 +86,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
         } else {
             radiance = radiance + select(missed, path.weight * real3(FRAME.sky), black);
         }
-        if (RECORDING) record_miss(SCENE_ missed, first);
+        if (RECORDING) record_miss(SCENE_ missed, record);
         mask follow = mask_and(found, mask_not(found));
         if (any_lane(found)) {
             Surface s = surface_at(SCENE_ path.ray, hit, found);
@@ -107,8 +108,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #endif
                 real eta = crossing_eta(SCENE_ crossing, interior, path.insides, spectrum);
                 lobes.eta = select(lobes.patterned, eta, lobes.eta);
-                lobes.enclosed = mask_and(crossing.leaves, crossing.behind.inner != word(0u));
-                evaluate_layers(SCENE_ s, path.ray.direction, found, false, lobes, layered);
+                evaluate_layers(SCENE_ s, path.ray.direction, found, is_enclosed(crossing), false, lobes, layered);
                 // Which way light is mirrored and refracted.
                 if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
             }
@@ -149,7 +149,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 if (FEATURE(FEATURE_EXPONENTS)) {
                     mask bent = mask_and(reflects, abs(lobes.exponent - 1.0f) > real(0.0f));
                     if (any_lane(bent) && path.nesting < MAX_NESTING) {
-                        if (RECORDING) first.record.unlike = first.record.unlike | select(bent, word(1u), word(0u));
+                        if (RECORDING) record_unlike(bent, record);
                         radiance = radiance + exponent_radiance(SCENE_ path, s, lobes, bent, counts);
                         reflects = mask_and(reflects, mask_not(bent));
                     }
@@ -158,7 +158,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                     mask split = mask_and(transmits, path.spectrum < real(0.0f));
                     split = disperses(SCENE_ s, lobes, split);
                     if (any_lane(split) && path.nesting < MAX_NESTING) {
-                        if (RECORDING) first.record.unlike = first.record.unlike | select(split, word(1u), word(0u));
+                        if (RECORDING) record_unlike(split, record);
                         radiance = radiance + dispersed_radiance(SCENE_ path, s, lobes, crossing, split, counts);
                         transmits = mask_and(transmits, mask_not(split));
                     }
@@ -179,7 +179,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 real3 own = select(lobes.patterned, base + highlight, thinned);
                 if (RECORDING) {
                     real3 share = select(lobes.patterned, one, max(one - r - t, black));
-                    record_surface(SCENE_ s, lobes, states, base, share, path, found, is_first, first);
+                    record_surface(SCENE_ s, lobes, states, base, share, path.weight, found, is_first, record);
                 }
                 radiance = radiance + select(found, path.weight * own, black);
 
@@ -232,7 +232,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
             } else {
                 radiance = radiance + select(found, path.weight * (base + highlight), black);
                 if (RECORDING)
-                    record_surface(SCENE_ s, lobes, states, base, real3(real(1.0f)), path, found, is_first, first);
+                    record_surface(SCENE_ s, lobes, states, base, real3(real(1.0f)), path.weight, found, is_first,
+                                   record);
             }
         }
         if (RECORDING && is_first) from_first = radiance;
@@ -245,8 +246,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
         }
     }
     if (RECORDING) {
-        first.record.beyond = luminance(radiance - from_first);
-        first.record.rest = radiance - first.record.shade * first.albedo;
+        record.beyond = luminance(radiance - from_first);
+        record.rest = radiance - record.shade * first.albedo;
     }
     return radiance;
 }
@@ -255,7 +256,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts) {
     path.nesting = path.nesting + 1u;
     FirstHit unused;
-    return path_radiance(SCENE_ path, counts, unused);
+    PathRecord forgotten;
+    return path_radiance(SCENE_ path, counts, unused, forgotten);
 }
 #endif
 
@@ -280,14 +282,16 @@ FN real3 texture_along(SCENE Ray ray, mask alive, OUT(word) surface) {
     Surface s = surface_at(SCENE_ ray, hit, found);
     Lobes lobes = evaluate_material(SCENE_ s, ray.direction);
     LayerColors layered;
-    if (FEATURE(FEATURE_PATTERNED)) evaluate_layers(SCENE_ s, ray.direction, found, false, lobes, layered);
-    surface = select(found, surface_number(s), word(0u));
+    if (FEATURE(FEATURE_PATTERNED)) evaluate_layers(SCENE_ s, ray.direction, found, mask(false), false, lobes, layered);
+    surface = select(found, object_number(s.geometry, s.material), word(0u));
     return lobes.albedo;
 }
 #endif
 
-/// Linear radiance that comes back along `ray` in the lanes of `alive` (0 in others).
-FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+/// Linear radiance that comes back along `ray` in the lanes of `alive` (0 in others), and, if RECORDING, what it
+/// remembers.
+FN real3 recorded_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first,
+                           OUT(PathRecord) record) {
     PathState path;
     path.ray = ray;
     path.weight = real3(real(1.0f));
@@ -301,7 +305,13 @@ FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OU
     path.spectrum = real(-1.0f);
     path.nesting = 0u;
 #endif
-    return linear_light(SCENE_ path_radiance(SCENE_ path, counts, first));
+    return linear_light(SCENE_ path_radiance(SCENE_ path, counts, first, record));
+}
+
+/// The same without a memory.
+FN real3 whitted_radiance(SCENE Ray ray, mask alive, INOUT(RayCounts) counts, OUT(FirstHit) first) {
+    PathRecord forgotten;
+    return recorded_radiance(SCENE_ ray, alive, counts, first, forgotten);
 }
 
 KERNEL_END

@@ -70,7 +70,7 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         real3 passes = lobes.transmittance;
         if (FEATURE(FEATURE_PATTERNED)) {
             LayerColors layered;
-            evaluate_layers(SCENE_ s, ray.direction, alive, true, lobes, layered);
+            evaluate_layers(SCENE_ s, ray.direction, alive, mask(false), true, lobes, layered);
             word interior = interior_of(SCENE_ s, lobes.patterned);
             passes =
                 lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);

@@ -90,6 +90,10 @@ struct Crossing {
     Insides behind;  ///< The list beyond the surface.
 };
 
+/// In which lanes a ray leaves an object while it is inside of another one as well, were it the sky. There nothing is
+/// reflected by Fresnel's equations in povray's pictures.
+FN mask is_enclosed(Crossing crossing) { return mask_and(crossing.leaves, crossing.behind.inner != word(0u)); }
+
 /// By the list alone, whichever side the ray comes from, as povray has it: open and clipped shapes are entered through
 /// their inner side too, a part that is cut out of a solid is entered from the solid, and triangles may be wound
 /// either way.

@@ -27,8 +27,8 @@ FN real3 metallic_tint(real3 color, real metallic, real cosine) {
 }
 
 /// Reflectance of a layer under a cosine between its normal and the ray.
-/// `eta` is the index of refraction in front over the one behind. In povray's pictures Fresnel's equations give nothing
-/// to rays that leave an object while they are inside of another one as well, were it the sky.
+/// `eta` is the index of refraction in front over the one behind. Fresnel's equations give nothing where it is
+/// `enclosed` (see is_enclosed()).
 FN real3 layer_reflectance(Layer layer, real eta, mask enclosed, real3 color, real cos_in) {
     real c = clamp(cos_in, real(0.0f), real(1.0f));
     real angle_share;
@@ -43,10 +43,10 @@ FN real3 layer_reflectance(Layer layer, real eta, mask enclosed, real3 color, re
 }
 
 /// Puts the textures of those lanes of `found` that have one into `lobes`, whose eta is set already, and their layers
-/// into `layered`. For a shadow ray, which goes straight on, nothing is thrown back by total internal reflection or
-/// kept by conserve_energy, as in povray.
-FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool for_shadow, INOUT(Lobes) lobes,
-                              OUT(LayerColors) layered) {
+/// into `layered`. `enclosed`: see is_enclosed(). For a shadow ray, which goes straight on, nothing is thrown back by
+/// total internal reflection or kept by conserve_energy, as in povray.
+FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, mask enclosed, bool for_shadow,
+                              INOUT(Lobes) lobes, OUT(LayerColors) layered) {
     real3 black = real3(real(0.0f));
     for (uint l = 0u; l < MAX_LAYERS; l = l + 1u) {
         layered.own[l] = black;
@@ -129,7 +129,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, bool 
                 layered.normal[l] = select(here, n, layered.normal[l]);
                 cos_layer = -dot(n, incoming);
             }
-            real3 r = layer_reflectance(layer, lobes.eta, lobes.enclosed, c.rgb, cos_layer);
+            real3 r = layer_reflectance(layer, lobes.eta, enclosed, c.rgb, cos_layer);
             if (FEATURE(FEATURE_NORMALS)) {
                 real3 weight = above * r;
                 real most = largest(weight);

@@ -21,7 +21,6 @@ struct Lobes {
     real3 reflectance;
     real3 transmittance;
     real eta;        ///< Index of refraction on the ray's side over that on the other.
-    mask enclosed;   ///< The ray leaves what it is inside of for something else that it is inside of, too.
     real3 albedo;    ///< What an albedo AOV shows.
     real exponent;   ///< If FEATURE_EXPONENTS: one over that of the radiance that is reflected.
     mask patterned;  ///< A texture of layers (layers.h), whose own light is not thinned by what it reflects or lets
@@ -99,7 +98,6 @@ FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
     lobes.reflectance = real3(real(0.0f));
     lobes.transmittance = real3(real(0.0f));
     lobes.eta = real(1.0f);
-    lobes.enclosed = mask_and(lobes.phong, mask_not(lobes.phong));
     lobes.exponent = real(1.0f);
     lobes.patterned = (flags & word(MATERIAL_PATTERNED)) != word(0u);
     if (FEATURE(FEATURE_MIRRORS)) lobes.reflectance = FIELD(materials, s.material, reflectance);

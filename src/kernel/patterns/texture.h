@@ -70,10 +70,9 @@ FN real3 texture_lookup(SCENE word texture, word flags, real2 uv, OUT(real) alph
 /// One number of a colour with alpha, as TextureRef::flags' channel says.
 FN real texture_channel(real3 color, real alpha, word flags) {
     word channel = (flags >> TEXTURE_CHANNEL_SHIFT) & word(7u);
-    real luminance = dot(color, real3(real(0.2126f), real(0.7152f), real(0.0722f)));
     return select(channel == word(0u), color.x,
                   select(channel == word(1u), color.y,
-                         select(channel == word(2u), color.z, select(channel == word(3u), alpha, luminance))));
+                         select(channel == word(2u), color.z, select(channel == word(3u), alpha, luminance(color)))));
 }
 
 KERNEL_END
