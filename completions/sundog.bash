@@ -18,6 +18,10 @@ _sundog() {
         return
       fi ;;
     --show) mapfile -t COMPREPLY < <(compgen -W "cost" -- "$word"); return ;;
+    --sampler) mapfile -t COMPREPLY < <(compgen -W "r2 regular jittered sobol" -- "$word"); return ;;
+    --filter) mapfile -t COMPREPLY < <(compgen -W "pixel box tent gaussian mitchell blackman-harris" -- "$word"); return ;;
+    --adaptive-method) mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word"); return ;;
+    --adaptive-by) mapfile -t COMPREPLY < <(compgen -W "color object depth" -- "$word"); return ;;
     --scene) mapfile -t COMPREPLY < <(compgen -W "table cornell mirrors glass textured balls gears mount rings tetra tree scan" -- "$word"); return ;;
     --shadows) mapfile -t COMPREPLY < <(compgen -W "on off" -- "$word"); return ;;
     --format) mapfile -t COMPREPLY < <(compgen -W "png jpg exr hdr ppm tga bmp" -- "$word"); return ;;
@@ -25,19 +29,19 @@ _sundog() {
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
     -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --max-steps | --max-memory | --threads | --spp | --preview | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
+    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
   case $command in
     render)
-      options+=" --output --format --size --device --threads --accel --show --spp --preview --max-depth --min-weight --shadows --no-shadows"
+      options+=" --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
       options+=" --time --frames --fps --exposure --aov --camera --pixel --quiet"
       files='@(scene|obj|conf)' ;;
     view) options+=" --size --device --threads --accel --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
-    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --accel --refine --scene" ;;
+    bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --accel --refine --sampling --scene" ;;
     pov)
       options+=" --device --format --sandbox --allow-write --max-steps --max-memory +W +H +I +O +A +R +Q +FN +FJ +FT +UA +L +WT +KFF"
       [[ $word == +* ]] && mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word") && return

@@ -11,6 +11,7 @@
 #include "bench/accel_bench.h"
 #include "bench/gallery.h"
 #include "bench/refinement.h"
+#include "bench/sampling.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
@@ -42,6 +43,20 @@ int measure_refinement(const bench::BenchOptions& options, float tolerance, cons
         {.gallery = options.gallery, .scene = scene, .threads = options.threads, .tolerance = tolerance},
         [](const bench::RefinementTiming& timing) {
             fmt::print("{}", bench::refinement_row(timing));
+            std::fflush(stdout);
+        },
+        interrupt.flag());
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_sampling(const bench::BenchOptions& options, const std::string& scene) {
+    if (!scene.empty()) parse_choice("--scene", scene, {bench::kGalleryScenes.begin(), bench::kGalleryScenes.end()});
+    const InterruptGuard interrupt;
+    fmt::print("{}", bench::sampling_head());
+    bench::run_sampling(
+        {.gallery = options.gallery, .scene = scene, .threads = options.threads},
+        [](const bench::SamplingTiming& timing) {
+            fmt::print("{}", bench::sampling_row(timing));
             std::fflush(stdout);
         },
         interrupt.flag());
@@ -100,6 +115,9 @@ void add_bench(CLI::App& program, Action& action) {
     const auto structures = std::make_shared<bool>(false);
     command->add_flag("--accel", *structures,
                       "Compare acceleration structures instead: time to build, memory, steps and rays a second");
+    const auto sampling = std::make_shared<bool>(false);
+    command->add_flag("--sampling", *sampling,
+                      "Compare the ways to choose a pixel's samples instead: error against time");
     command
         ->add_option_function<std::string>(
             "--scene",
@@ -107,14 +125,16 @@ void add_bench(CLI::App& program, Action& action) {
                 const std::vector<std::string> names = bench::accel_scene_names();
                 *scene = parse_choice("--scene", text, {names.begin(), names.end()});
             },
-            "With --accel or --refine: one scene of those measured")
+            "With --accel, --refine or --sampling: one scene of those measured")
         ->type_name("NAME");
-    command->callback([options, tolerance, scene, structures, &action] {
-        action = [options, tolerance, scene, structures] {
-            if (*structures && *tolerance) throw UsageError("--accel and --refine are two measurements");
+    command->callback([options, tolerance, scene, structures, sampling, &action] {
+        action = [options, tolerance, scene, structures, sampling] {
+            if (int{*structures} + int{tolerance->has_value()} + int{*sampling} > 1)
+                throw UsageError("--accel, --refine and --sampling are one measurement each");
             if (*structures) return measure_structures(*options, *scene);
             if (*tolerance) return measure_refinement(*options, **tolerance, *scene);
-            if (!scene->empty()) throw UsageError("--scene belongs to --accel or --refine");
+            if (*sampling) return measure_sampling(*options, *scene);
+            if (!scene->empty()) throw UsageError("--scene belongs to --accel, --refine or --sampling");
             return measure(*options);
         };
     });

@@ -69,8 +69,8 @@ int render_cost(const RenderArguments& arguments, const OutputPlan& plan, const 
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
-    const CostPicture picture =
-        cost_picture(stage.session.device(), frame, arguments.samples, std::ref(line), interrupt.flag());
+    const CostPicture picture = cost_picture(stage.session.device(), frame, arguments.sampling.most_samples(),
+                                             std::ref(line), interrupt.flag());
     line.clear();
     const bool standard_output = plan.target == Target::standard_output;
     if (standard_output) output::write_file_atomically("-", output::encode(picture.image, plan.format, {}));

@@ -51,18 +51,20 @@ void check_acceleration(RenderArguments& arguments) {
     if (arguments.show_cost && (arguments.frames || arguments.pixel))
         throw UsageError("--show cost makes one picture: leave --frames and --pixel out",
                          "--time says of which moment");
-    if (arguments.show_cost && arguments.preview)
-        throw UsageError("--show cost traces every pixel: leave --preview out");
+    if (arguments.show_cost && arguments.sampling.way() != SamplingArguments::Way::fixed)
+        throw UsageError("--show cost traces every pixel as often: leave --preview, --adaptive and the like out");
     if (arguments.show_cost && (arguments.aovs.planes != 0 || arguments.aovs.samples))
         throw UsageError("--show cost makes no further layers: leave --aov out");
     arguments.device = device_for(arguments.acceleration, arguments.device);
 }
 
 int render(RenderArguments arguments) {
-    if (arguments.preview && arguments.samples > 1)
-        throw UsageError("--preview takes one sample a pixel", "leave --spp out");
-    if (arguments.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
+    using Way = SamplingArguments::Way;
+    arguments.sampling.check();
+    if (arguments.sampling.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
+    if (arguments.sampling.way() == Way::recursive && arguments.aovs.planes != 0)
+        throw UsageError("--adaptive-method 2 has no layers but samples");
     check_acceleration(arguments);
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
@@ -73,7 +75,8 @@ int render(RenderArguments arguments) {
     OutputPlan plan;
     if (!arguments.pixel) plan = plan_output(arguments.output, arguments.format, arguments.frames, layers);
     arguments.frame.time_s = arguments.time_s;
-    arguments.frame.aovs = arguments.aovs.planes;
+    arguments.frame.aovs = arguments.aovs.planes | arguments.sampling.planes();
+    arguments.frame.sampling = arguments.sampling.pixel_sampling();
 
     WarningPrinter warnings;
     const WarningSink warn = warnings.sink();
@@ -136,17 +139,7 @@ void add_render(CLI::App& program, Action& action) {
             "--show", [&a](Text text) { a.show_cost = parse_choice("--show", text, {"cost"}) == "cost"; },
             "cost: instead of the picture, how many steps through the structure each pixel takes")
         ->type_name("NAME");
-    command
-        ->add_option_function<std::string>(
-            "--spp", [&a](Text text) { a.samples = parse_int("--spp", text, 1, 65536); }, "Samples a pixel (1)")
-        ->type_name("N");
-    command
-        ->add_option_function<std::string>(
-            "--preview", [&a](Text text) { a.preview = parse_float("--preview", text, 0, 1); },
-            "Trace fewer rays than pixels: interpolate between points that see the same and differ by less than this "
-            "for "
-            "the eye (0.1 is hardly seen; 0 traces all)")
-        ->type_name("T");
+    add_sampling_options(*command, a.sampling);
     command
         ->add_option_function<std::string>(
             "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },

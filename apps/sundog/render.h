@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "compile/compile.h"
 #include "output_plan.h"
+#include "sampling_options.h"
 #include "session/session.h"
 
 namespace sundog::app {
@@ -19,8 +20,7 @@ struct RenderArguments {
     std::string format;
     std::string device = "auto";
     int threads = 0;  ///< 0: all.
-    int samples = 1;
-    std::optional<float> preview;  ///< Tolerance of grid refinement, instead of tracing every pixel.
+    SamplingArguments sampling;
     float time_s = 0;
     float exposure_ev = 0;
     float frames_per_second = 25;

@@ -38,14 +38,13 @@ std::string name_of_frames(const OutputPlan& plan, int first, int count) {
 }
 
 /// "640x480, 4 samples a pixel, 0.21 s, 35.1 million rays/s on NAME"
-std::string summary(const RenderResult& result, int samples, const DeviceInfo& device) {
+std::string summary(const RenderResult& result, const std::string& samples, const DeviceInfo& device) {
     const double rays_per_second = static_cast<double>(result.stats.rays) / std::max(result.seconds, 1e-9);
-    return fmt::format("{}x{}, {} sample{} a pixel, {:.2f} s, {:.1f} million rays/s on {}", result.film.bounds.width(),
-                       result.film.bounds.height(), samples, samples == 1 ? "" : "s", result.seconds,
-                       rays_per_second / 1e6, device.name);
+    return fmt::format("{}x{}, {}, {:.2f} s, {:.1f} million rays/s on {}", result.film.bounds.width(),
+                       result.film.bounds.height(), samples, result.seconds, rays_per_second / 1e6, device.name);
 }
 
-/// Share of the wanted samples that the film has.
+/// Share of the wanted samples that a film of the same number for all pixels has.
 double done_fraction(const Film& film, int samples) {
     double sum = 0;
     for (const auto& pixel : film.radiance) sum += pixel[3];
@@ -76,20 +75,64 @@ private:
     int written_ = 0;
 };
 
-/// One picture, the way that was asked for.
-RenderResult picture_of(const Frame& frame, const RenderArguments& arguments, Session& session,
-                        const ProgressSink& progress, const StopFlag& stop) {
-    if (!arguments.preview) return session.render(frame, static_cast<std::uint32_t>(arguments.samples), progress, stop);
-    const auto start = std::chrono::steady_clock::now();
-    RenderResult result{
-        Film({0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)}, frame.params.aovs),
-        {},
-        0,
-        false};
-    result.stats = session.refine_into(frame, *arguments.preview, std::exp2(arguments.exposure_ev), result.film, stop);
-    result.stopped = !result.stats.complete;
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return result;
+/// A picture, made the way that was asked for, and what is to be said of its samples.
+struct PictureAndSummary {
+    RenderResult result;
+    std::string samples;
+};
+
+/// "4 samples a pixel", "2.3 samples a pixel"
+std::string samples_of(const Film& film) {
+    double sum = 0;
+    for (const auto& pixel : film.radiance) sum += pixel[3];
+    const double mean = sum / static_cast<double>(film.radiance.size());
+    const std::string number = fmt::format("{:.3g}", mean);
+    return number + (number == "1" ? " sample a pixel" : " samples a pixel");
+}
+
+/// "37.2 samples a pixel, error at most 0.0099"
+std::string samples_of(const ErrorDrivenResult& result, const ErrorTarget& target) {
+    std::string text = fmt::format("{:.3g} samples a pixel", result.mean_samples);
+    if (result.largest_error > 0) text += fmt::format(", largest error {:.2g}", result.largest_error);
+    if (target.error > 0) text += fmt::format(", {:.4g} % of pixels within {:g}", 100 * result.met, target.error);
+    return text;
+}
+
+PictureAndSummary picture_of(const Frame& frame, const RenderArguments& arguments, Session& session,
+                             const ProgressSink& progress, const StopFlag& stop) {
+    using Way = SamplingArguments::Way;
+    const SamplingArguments& sampling = arguments.sampling;
+    const float gain = std::exp2(arguments.exposure_ev);
+    if (sampling.way() == Way::to_error) {
+        const ErrorTarget target = sampling.error_target(gain);
+        ErrorDrivenResult result = session.render_to_error(frame, target, progress, stop);
+        std::string samples = samples_of(result, target);
+        return {std::move(result), std::move(samples)};
+    }
+    PictureAndSummary picture{{Film(PixelRect{}), {}, 0, false}, {}};
+    RenderResult& result = picture.result;
+    switch (sampling.way()) {
+        case Way::preview: {
+            const auto start = std::chrono::steady_clock::now();
+            result.film = Film({0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)},
+                               frame.params.aovs);
+            result.stats = session.refine_into(frame, *sampling.preview, gain, result.film, stop);
+            result.stopped = !result.stats.complete;
+            result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            break;
+        }
+        case Way::adaptive:
+            result = session.render_adaptive(frame, sampling.adaptive_sampling(gain), progress, stop);
+            break;
+        case Way::recursive:
+            result = session.render_recursive(frame, sampling.recursive_sampling(), progress, stop);
+            break;
+        default:
+            result = session.render(frame, static_cast<std::uint32_t>(sampling.most_samples()), progress, stop);
+            break;
+    }
+    picture.samples = samples_of(result.film);
+    return picture;
 }
 
 }  // namespace
@@ -98,18 +141,22 @@ int render_image(const RenderArguments& arguments, const OutputPlan& plan, const
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
-    const RenderResult result = picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
+    const auto [result, samples] = picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
     line.clear();
     write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
                   layers_of(result.film, arguments.aovs));
     if (result.stopped) {
-        print_note(fmt::format("interrupted: wrote what was done ({:.0f} %) to {}",
-                               100 * done_fraction(result.film, arguments.samples), name_of(plan)));
+        const SamplingArguments& sampling = arguments.sampling;
+        const std::string done =
+            sampling.way() == SamplingArguments::Way::fixed
+                ? fmt::format("{:.0f} %", 100 * done_fraction(result.film, sampling.most_samples()))
+                : samples;
+        print_note(fmt::format("interrupted: wrote what was done ({}) to {}", done, name_of(plan)));
         return kInterrupted;
     }
     if (!arguments.quiet)
-        print_note(fmt::format("wrote {} ({})", name_of(plan),
-                               summary(result, arguments.samples, stage.session.device().info())));
+        print_note(
+            fmt::format("wrote {} ({})", name_of(plan), summary(result, samples, stage.session.device().info())));
     return 0;
 }
 
@@ -134,7 +181,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         const auto report = [&](const Progress& p) {
             line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
         };
-        const RenderResult result = picture_of(frame, arguments, stage.session, report, interrupt.flag());
+        const RenderResult result = picture_of(frame, arguments, stage.session, report, interrupt.flag()).result;
         rays += result.stats.rays;
         stopped = result.stopped;
         if (!stopped) writer.add(number, result.film, arguments);

@@ -26,6 +26,7 @@ struct FrameOptions {
     std::optional<float> far_z;
     std::optional<kernel::Camera> camera;  ///< Instead of the scene's own.
     std::uint32_t aovs = 0;                ///< AOV_* bits
+    kernel::PixelSampling sampling{};      ///< Else the middle first, then all over the pixel's square.
     bool radiosity = true;                 ///< False: scenes that have it are drawn with ambient light instead.
 };
 

@@ -210,6 +210,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.far_z = choose(options.far_z, settings.far_z, kNoFarClip);
     params.plane_count = plane_count_of(compiled);
     params.aovs = options.aovs;
+    params.sampling = options.sampling;
     params.working_gamma = settings.working_gamma;
 
     bool some_light_casts_shadows = false;

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "base/diagnostics.h"
+
 namespace sundog {
 
 RenderStats Device::render_regions(const Frame& frame, std::span<const PixelRect> regions, RenderWork work, Film& film,
@@ -37,6 +39,10 @@ RenderStats Device::refine(const Frame& frame, const RefinedWork&, Film& film, c
     RenderStats stats = render(frame, {film.bounds, 0, 1}, film, stop);
     stats.points = film.radiance.size();
     return stats;
+}
+
+RenderStats Device::trace_places(const Frame&, std::span<const PicturePlace>, std::span<Vec3>, const StopFlag&) {
+    throw DeviceError(info().name + " doesn't trace single places of a picture");
 }
 
 }  // namespace sundog

@@ -39,6 +39,11 @@ struct RefinedWork {
     std::span<const std::uint8_t> finest{};
 };
 
+/// A point of the picture, in pixels from its upper left corner; pixel (x, y) reaches from there to (x + 1, y + 1).
+struct PicturePlace {
+    float x = 0, y = 0;
+};
+
 /// What a render() did.
 struct RenderStats {
     std::uint64_t rays = 0;         ///< Rays of all kinds: primary, secondary and shadow.
@@ -88,6 +93,13 @@ public:
     /// every pixel. With AOV_COST among the film's planes, that one tells which pixels were traced: it is 0 for others;
     /// no other plane is written.
     virtual RenderStats refine(const Frame& frame, const RefinedWork& work, Film& film, const StopFlag& stop);
+
+    /// True if this device traces single places of such a frame's picture.
+    [[nodiscard]] virtual bool can_trace_places(const Frame&) const { return false; }
+    /// Linear RGB radiance at each of `places`, one ray each, into as many of `radiance`; only where
+    /// can_trace_places().
+    virtual RenderStats trace_places(const Frame& frame, std::span<const PicturePlace> places, std::span<Vec3> radiance,
+                                     const StopFlag& stop);
 };
 
 }  // namespace sundog

@@ -19,15 +19,16 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
-/// Sums of linear RGB radiance over samples, with the number of samples in the fourth place; auxiliary planes on
-/// request (those asked for are sized as `radiance`, others empty). AOVs are those of sample 0 (cost: the sum).
+/// Sums of linear RGB radiance over samples, times their weights, with the sum of weights in the fourth place: the
+/// number of samples, but for filters that go below 0 (about it, there); auxiliary planes on request (those asked for
+/// are sized as `radiance`, others empty). AOVs are those of sample 0 (cost: the sum).
 struct Film {
     /// A film of the given pixels of an image, zeroed, with the planes of the AOV_* bits `aovs`.
     explicit Film(PixelRect bounds, std::uint32_t aovs = 0);
 
     PixelRect bounds;
     std::uint32_t aovs = 0;
-    std::vector<std::array<float, 4>> radiance;  ///< (sum r, sum g, sum b, samples), row by row.
+    std::vector<std::array<float, 4>> radiance;  ///< (sum r, sum g, sum b, weights), row by row.
     std::vector<float> depth;
     std::vector<Vec3> normal, albedo;
     std::vector<std::uint32_t> object, primitive, material;  ///< AOV_OBJECT

@@ -67,6 +67,20 @@ KERNEL_CONST uint PHOTONS_NEVER_REFLECT = 8u;
 KERNEL_CONST uint PHOTONS_COLLECT = 16u;
 KERNEL_CONST uint PHOTONS_TARGET_SHIFT = 8u;
 
+/// PixelSampling::pattern: where a pixel's samples go.
+KERNEL_CONST uint SAMPLES_R2 = 0u;  ///< The same places in each pixel, by the R2 sequence; the first is the middle.
+KERNEL_CONST uint SAMPLES_REGULAR = 1u;   ///< The middles of a grid's cells.
+KERNEL_CONST uint SAMPLES_JITTERED = 2u;  ///< Anywhere in a grid's cells.
+KERNEL_CONST uint SAMPLES_SOBOL = 3u;     ///< Sobol's sequence, scrambled by Owen's method for each pixel.
+
+/// PixelSampling::pixel_filter: how they are weighed.
+KERNEL_CONST uint FILTER_PIXEL = 0u;  ///< The pixel's own square.
+KERNEL_CONST uint FILTER_BOX = 1u;    ///< This and the following reach `radius` to each side of the middle.
+KERNEL_CONST uint FILTER_TENT = 2u;
+KERNEL_CONST uint FILTER_GAUSSIAN = 3u;  ///< Cut off at three standard deviations.
+KERNEL_CONST uint FILTER_MITCHELL = 4u;  ///< Mitchell and Netravali's with B = C = 1/3; weights below 0 sharpen.
+KERNEL_CONST uint FILTER_BLACKMAN_HARRIS = 5u;
+
 /// FrameParams::camera_kind. See kernel/cameras/projections.h.
 KERNEL_CONST uint CAMERA_PERSPECTIVE = 0u;
 KERNEL_CONST uint CAMERA_ORTHOGRAPHIC = 1u;
@@ -452,6 +466,15 @@ struct SkyLayer {
     vec3 emission;
 };
 
+/// Where in and around its pixel a sample lies (kernel/cameras/pixel_samples.h).
+struct PixelSampling {
+    uint pattern;       ///< SAMPLES_*
+    uint cells;         ///< Cells on a side of a pixel's grid; for SAMPLES_SOBOL, how many samples go by one scrambling
+                        ///< before the next (0: all).
+    uint pixel_filter;  ///< FILTER_*
+    float radius;       ///< The filter's, in pixels.
+};
+
 /// What changes from frame to frame, one per picture.
 struct FrameParams {
     Camera camera;
@@ -461,6 +484,7 @@ struct FrameParams {
     vec3 sky;
     vec3 irid_wavelength;  ///< Of red, green and blue light, in units of films' thickness.
     uint width, height;
+    PixelSampling sampling;
     uint max_depth;    ///< Secondary rays on a path at most; 0: what the eye sees directly.
     float min_weight;  ///< A secondary ray of less weight (its largest channel) is not traced.
     float far_z;       ///< Far clip depth along the view axis; infinite for none.

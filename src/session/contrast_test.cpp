@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "kernel/shared.h"
+
 namespace sundog {
 namespace {
 
@@ -58,6 +62,29 @@ TEST(Contrast, ThresholdAndGamma) {
     const Film bright = film_of(bounds, [](int x, int) { return x < 8 ? 1.0F : 90.0F; });
     EXPECT_TRUE(contrast_of(bright, {}).regions.empty());
     EXPECT_EQ(contrast_of(bright, {.threshold = 0}).regions.size(), 2U) << "0 refines everything";
+}
+
+// Catches planes that aren't looked at, two misses (infinitely far, both) that differ, and depths that differ by less
+// than their ratio.
+TEST(Contrast, ObjectsAndDepthsDiffer) {
+    const PixelRect bounds{0, 0, 16, 8};
+    Film film(bounds, kernel::AOV_OBJECT | kernel::AOV_DEPTH);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const std::size_t i = film.index(x, y);
+            film.radiance[i] = {0.5F, 0.5F, 0.5F, 1};
+            film.object[i] = x < 4 ? 3 : 7;
+            film.depth[i] = x < 10 ? 5.0F + 0.02F * static_cast<float>(x) : x < 13 ? 9 : INFINITY;
+        }
+    const auto marked = [](const Contrast& contrast) {
+        std::vector<int> columns;
+        for (int x = 0; x < 16; ++x)
+            if (contrast.pixels[static_cast<std::size_t>(x)] != 0) columns.push_back(x);
+        return columns;
+    };
+    EXPECT_EQ(marked(contrast_of(film, {})), std::vector<int>{});
+    EXPECT_EQ(marked(contrast_of(film, {.by_object = true})), (std::vector<int>{3, 4}));
+    EXPECT_EQ(marked(contrast_of(film, {.depth_ratio = 0.1F})), (std::vector<int>{9, 10, 12, 13}));
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ void Session::load(std::shared_ptr<const RenderScene> scene) {
 
 RenderResult Session::render(const Frame& frame, std::uint32_t samples, const ProgressSink& progress,
                              const StopFlag& stop, const std::optional<PixelRect>& region) {
-    const PixelRect picture =
-        region.value_or(PixelRect{0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)});
+    const PixelRect picture = picture_of(frame, region);
     RenderResult result{Film(picture, frame.params.aovs), {}, 0, false};
     const Clock::time_point start = Clock::now();
     const double total = static_cast<double>(picture.width()) * picture.height() * samples;
@@ -97,7 +96,15 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     const ProgressSink first_half = [&](const Progress& p) {
         if (progress) progress({p.fraction / 2, p.seconds, p.rays});
     };
-    RenderResult result = render(frame, 1, first_half, stop, region);
+    RenderResult result{Film(picture_of(frame, region), frame.params.aovs), {}, 0, false};
+    if (sampling.preview > 0) {
+        const Clock::time_point first_pass = Clock::now();
+        result.stats = refine_into(frame, sampling.preview, sampling.gain, result.film, stop);
+        result.stopped = !result.stats.complete;
+        result.seconds = seconds_since(first_pass);
+    } else {
+        result = render(frame, 1, first_half, stop, region);
+    }
     if (result.stopped || sampling.samples < 2) return result;
     const Clock::time_point start = Clock::now();
     const double seconds_before = result.seconds;
@@ -120,6 +127,20 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     return result;
 }
 
+RenderResult Session::render_recursive(const Frame& frame, const RecursiveSampling& sampling,
+                                       const ProgressSink& progress, const StopFlag& stop,
+                                       const std::optional<PixelRect>& region) {
+    if (device_->can_trace_places(frame)) return render_recursively(*device_, frame, sampling, progress, stop, region);
+    const auto side = static_cast<std::uint32_t>(std::clamp(sampling.depth, 0, kMostRecursion)) + 1;
+    return render_adaptive(frame, {.threshold = sampling.threshold, .gamma = sampling.gamma, .samples = side * side},
+                           progress, stop, region);
+}
+
+ErrorDrivenResult Session::render_to_error(const Frame& frame, const ErrorTarget& target, const ProgressSink& progress,
+                                           const StopFlag& stop, const std::optional<PixelRect>& region) {
+    return sundog::render_to_error(*device_, frame, target, progress, stop, region);
+}
+
 RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop) {
     std::vector<std::uint8_t> finest;
     if (tolerance > 0 && device_->can_refine(frame)) {
@@ -136,6 +157,7 @@ RenderStats Session::render_into(const Frame& frame, std::uint32_t first_sample,
 
 PixelInfo Session::pick(const Frame& frame, int x, int y) {
     Frame all = frame;
+    all.params.sampling = {};
     all.params.aovs = kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_OBJECT;
     Film film({x, y, x + 1, y + 1}, all.params.aovs);
     device_->render(all, {film.bounds, 0, 1}, film, StopFlag{});

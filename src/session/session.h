@@ -8,17 +8,12 @@
 #include "base/progress.h"
 #include "device/device.h"
 #include "session/contrast.h"
+#include "session/error_driven.h"
+#include "session/recursive.h"
+#include "session/render_result.h"
 #include "session/thin_items.h"
 
 namespace sundog {
-
-/// What became of a picture.
-struct RenderResult {
-    Film film;
-    RenderStats stats;
-    double seconds = 0;
-    bool stopped = false;  ///< True if the StopFlag ended it early; the film then holds what was done.
-};
 
 /// What one pixel sees.
 struct PixelInfo {
@@ -45,9 +40,18 @@ public:
                         const std::optional<PixelRect>& region = {});
 
     /// Renders one sample a pixel, then more where neighbours differ (contrast_of). The film's pixels then have
-    /// different numbers of samples. `region` as above.
+    /// different numbers of samples. `region` as above; with AdaptiveSampling::preview there is none.
     RenderResult render_adaptive(const Frame& frame, const AdaptiveSampling& sampling, const ProgressSink& progress,
                                  const StopFlag& stop, const std::optional<PixelRect>& region = {});
+
+    /// render_recursively(), where the device has that for such a frame; otherwise render_adaptive(), with a sample
+    /// more on a pixel's side than there are levels.
+    RenderResult render_recursive(const Frame& frame, const RecursiveSampling& sampling, const ProgressSink& progress,
+                                  const StopFlag& stop, const std::optional<PixelRect>& region = {});
+
+    /// See session/error_driven.h.
+    ErrorDrivenResult render_to_error(const Frame& frame, const ErrorTarget& target, const ProgressSink& progress,
+                                      const StopFlag& stop, const std::optional<PixelRect>& region = {});
 
     /// Renders one sample a pixel by grid refinement, where the device has that (Device::can_refine), all pixels
     /// otherwise. What is thin on the screen is found whatever the corners of squares meet (thin_items).

@@ -92,7 +92,10 @@ UniformValues uniforms_for(std::uint32_t function, Random& random) {
             u.v[13] = random.between(0.5F, 5);
             break;
         case CALL_PIXEL_SAMPLE:
+            u.v[12] = std::floor(random.between(SAMPLES_R2, SAMPLES_SOBOL + 0.99F));
             u.v[13] = std::floor(random.between(0, 4000));
+            u.v[14] = std::floor(random.between(0, 8.99F));
+            u.v[15] = std::floor(random.between(FILTER_PIXEL, FILTER_BLACKMAN_HARRIS + 0.99F));
             break;
         default:
             break;
@@ -169,7 +172,7 @@ std::vector<FunctionCase> function_cases() {
             {"schlick", CALL_SCHLICK, 1e-5F, 1e-6F},
             {"direction_to_light", CALL_LIGHT, 1e-5F, 1e-6F},
             {"pinhole", CALL_PINHOLE, 1e-5F, 1e-6F},
-            {"pixel_sample", CALL_PIXEL_SAMPLE, 0, 0},
+            {"pixel_sample", CALL_PIXEL_SAMPLE, 1e-5F, 1e-5F, true},
             {"checker", CALL_CHECKER, 0, 0, true},
             {"wrap_texel", CALL_WRAP, 0, 0, true},
             {"texture", CALL_TEXTURE, 1e-4F, 1e-4F},

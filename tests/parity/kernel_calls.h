@@ -5,6 +5,7 @@
 #define SUNDOG_TESTS_PARITY_KERNEL_CALLS_H
 
 #include "kernel/atmosphere/fog.h"
+#include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/lights/light.h"
 #include "kernel/materials/bump.h"
@@ -160,9 +161,14 @@ FN Varying call_camera(uint function, UniformValues u, Varying a) {
         r.v[6] = ray.t_max;
     }
     if (function == CALL_PIXEL_SAMPLE) {
-        vec2 place = pixel_sample(uint(u.v[13]));
-        r.v[0] = real(place.x);
-        r.v[1] = real(place.y);
+        PixelSampling sampling;
+        sampling.pattern = uint(u.v[12]);
+        sampling.cells = uint(u.v[14]);
+        sampling.pixel_filter = uint(u.v[15]);
+        sampling.radius = 1.5f;
+        PixelSample at = pixel_sample(sampling, word_from_real(abs(a.v[0]) * 100.0f),
+                                      word_from_real(abs(a.v[1]) * 100.0f), uint(u.v[13]));
+        put(r, 0u, real3(at.x, at.y, at.weight));
     }
     return r;
 }

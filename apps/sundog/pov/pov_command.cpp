@@ -105,8 +105,7 @@ output::Encoding encoding_of(const PovSettings& settings) {
     return encoding;
 }
 
-/// How pixels are sampled. Both of povray's methods are done the first one's way: where neighbours differ, as many
-/// samples as it takes there with the same depth; for the recursive method one more on each side.
+/// How pixels are sampled by povray's first method; by the second, render_recursive() does it.
 AdaptiveSampling sampling_of(const PovSettings& settings) {
     const int side = settings.antialias_depth + (settings.sampling_method == 2 ? 1 : 0);
     return {settings.antialias_threshold, settings.antialias_gamma,
@@ -265,8 +264,13 @@ private:
     RenderResult render_picture(const scene::Scene& scene, const RenderScene& compiled, const StopFlag& stop) {
         const Frame frame = make_frame(scene, compiled, frame_options());
         output::ProgressLine line(std::cerr, ::isatty(STDERR_FILENO) == 1 && console_is_on());
-        RenderResult result = session_->render_adaptive(frame, sampling_of(settings_), std::ref(line), stop,
-                                                        PixelRect{region_.x0, region_.y0, region_.x1, region_.y1});
+        const PixelRect region{region_.x0, region_.y0, region_.x1, region_.y1};
+        RenderResult result =
+            settings_.antialias && settings_.sampling_method == 2
+                ? session_->render_recursive(
+                      frame, {settings_.antialias_threshold, settings_.antialias_gamma, settings_.antialias_depth},
+                      std::ref(line), stop, region)
+                : session_->render_adaptive(frame, sampling_of(settings_), std::ref(line), stop, region);
         line.clear();
         return result;
     }

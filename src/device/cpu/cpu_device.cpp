@@ -16,6 +16,7 @@
 #include "device/cpu/embree_scene.h"
 #include "device/cpu/grid_tile.h"
 #include "device/cpu/photons.h"
+#include "device/cpu/places.h"
 #include "device/cpu/radiosity.h"
 #include "device/cpu/structure_scene.h"
 #include "device/cpu/tile_kernel.h"
@@ -137,6 +138,33 @@ public:
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             tbb::parallel_for(std::size_t{0}, regions.size(),
                               [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
+        });
+        return totals.stats();
+    }
+
+    [[nodiscard]] bool can_trace_places(const Frame& frame) const override { return can_refine(frame); }
+
+    RenderStats trace_places(const Frame& frame, std::span<const PicturePlace> places, std::span<Vec3> radiance,
+                             const StopFlag& stop) override {
+        Totals totals(structure_.get());
+        arena_.execute([&] {
+            traversal().update(frame);
+            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            kernel::SceneView view = cpu::view_of(*scene_, frame, traversal().handle());
+            view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
+            view.photons = photons_ ? photons_->photons.get() : nullptr;
+            constexpr std::size_t kAtOnce = 256;  // A multiple of every packet's size.
+            tbb::parallel_for(std::size_t{0}, (places.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t part) {
+                if (stop.requested()) {
+                    totals.complete = false;
+                    return;
+                }
+                const std::size_t first = part * kAtOnce, count = std::min(kAtOnce, places.size() - first);
+                const cpu::BatchRays done =
+                    cpu::trace_places(view, rays_, places.subspan(first, count), radiance.subspan(first, count));
+                totals.rays += done.rays;
+                totals.shadow_rays += done.shadow_rays;
+            });
         });
         return totals.stats();
     }

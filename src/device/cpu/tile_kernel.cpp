@@ -21,6 +21,7 @@ inline constexpr int kBlockWidth = 2, kBlockHeight = 2;
 
 KERNEL_END
 
+#include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/whitted.h"
 #ifdef SUNDOG_PHOTON_KERNEL
@@ -50,14 +51,15 @@ struct BlockPixels {
 };
 
 struct BlockResult {
-    real3 radiance{real(0.0F)};
+    real3 radiance{real(0.0F)};  ///< Sums of samples times their weights, and of these.
+    real weights{0.0F};
     RayCounts counts{word(0U), word(0U)};
     FirstHit first;
 };
 
 /// A block's sums in memory, lane by lane: picking lanes out of registers one at a time is slow.
 struct StoredLanes {
-    alignas(64) std::array<float, kLanes> r{}, g{}, b{};
+    alignas(64) std::array<float, kLanes> r{}, g{}, b{}, weights{};
 };
 
 /// A packet of rays in memory, likewise.
@@ -91,13 +93,15 @@ vuint wanted_lanes(int x0, int y0, const TileWork& work) {
 
 /// What the film holds of a block so far. New samples are added to it one by one, as if there had been no break, so
 /// that a picture's bits don't depend on how its samples are split into works.
-real3 sums_so_far(int x0, int y0, const TileWork& work) {
+void add_sums_so_far(int x0, int y0, const TileWork& work, BlockResult& block) {
     StoredLanes stored;
     for_each_pixel(x0, y0, work, [&](std::size_t lane, std::size_t i) {
         const std::array<float, 4>& sum = work.film.radiance[i];
-        stored.r[lane] = sum[0], stored.g[lane] = sum[1], stored.b[lane] = sum[2];
+        stored.r[lane] = sum[0], stored.g[lane] = sum[1], stored.b[lane] = sum[2], stored.weights[lane] = sum[3];
     });
-    return real3(real(lanes_of(stored.r.data())), real(lanes_of(stored.g.data())), real(lanes_of(stored.b.data())));
+    block.radiance =
+        real3(real(lanes_of(stored.r.data())), real(lanes_of(stored.g.data())), real(lanes_of(stored.b.data())));
+    block.weights = real(lanes_of(stored.weights.data()));
 }
 
 /// Bends rays by the camera's normals, which lie in the picture: x and y from -0.5 to 0.5.
@@ -108,8 +112,8 @@ real3 sums_so_far(int x0, int y0, const TileWork& work) {
 }
 
 /// The rays of CameraRays for the lanes of `asked`, and in which of them there is one.
-mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPixels& pixels, CameraRays::Place place,
-               mask asked, Ray& ray) {
+mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPixels& pixels, const PixelSample& at,
+               CameraRays::Place place, mask asked, Ray& ray) {
     const vint lanes = lane_ints(asked);
     vuint made{};
     ray.origin = real3(real(0.0F));
@@ -119,6 +123,7 @@ mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPi
     for (int lane = 0; lane < kLanes; ++lane) {
         if (lanes[lane] == 0) continue;
         place.x = static_cast<std::uint32_t>(pixels.x[lane]), place.y = static_cast<std::uint32_t>(pixels.y[lane]);
+        place.dx = at.x.v[lane], place.dy = at.y.v[lane];
         const std::optional<CameraRays::Ray> one = camera.ray(frame, place);
         if (!one) continue;
         made[lane] = ~0U;
@@ -135,15 +140,16 @@ mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPi
 
 /// One sample of a block's pixels: one ray of the kernel's camera, or the mean of as many of CameraRays as it takes.
 [[gnu::always_inline]] inline real3 sample_radiance(const SceneView& view, const Frame& frame,
-                                                    const BlockPixels& pixels, vec2 offset, std::uint32_t sample,
-                                                    mask in_image, RayCounts& counts, FirstHit& first) {
+                                                    const BlockPixels& pixels, const PixelSample& at,
+                                                    std::uint32_t sample, mask in_image, RayCounts& counts,
+                                                    FirstHit& first) {
     const CameraRays* const camera = frame.camera_rays.get();
     const std::uint32_t most = camera != nullptr ? camera->most_rays() : 1;
     const std::uint32_t least = camera != nullptr ? std::max(camera->least_rays(), 2U) : 1;
     const real x =
-        (real(__builtin_convertvector(pixels.x, vfloat)) + offset.x) * (1.0F / static_cast<float>(view.frame.width));
+        (real(__builtin_convertvector(pixels.x, vfloat)) + at.x) * (1.0F / static_cast<float>(view.frame.width));
     const real y =
-        (real(__builtin_convertvector(pixels.y, vfloat)) + offset.y) * (1.0F / static_cast<float>(view.frame.height));
+        (real(__builtin_convertvector(pixels.y, vfloat)) + at.y) * (1.0F / static_cast<float>(view.frame.height));
     const real3 black(real(0.0F));
     real3 sum = black;
     real3 squares = black;
@@ -153,7 +159,7 @@ mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPi
         Ray ray;
         mask shown;
         if (camera != nullptr) {
-            shown = host_rays(*camera, view.frame, pixels, {0, 0, offset.x, offset.y, sample, k}, going, ray);
+            shown = host_rays(*camera, view.frame, pixels, at, {.sample = sample, .ray = k}, going, ray);
         } else {
             ray = camera_ray(view.frame, x, y);
             shown = mask_and(in_image, ray.t_max > ray.t_min);
@@ -180,12 +186,16 @@ mask host_rays(const CameraRays& camera, const FrameParams& frame, const BlockPi
 BlockResult trace_block(const SceneView& view, int x0, int y0, mask in_image, const TileWork& work) {
     const BlockPixels pixels(x0, y0);
     BlockResult block;
-    if (work.first_sample > 0) block.radiance = sums_so_far(x0, y0, work);
+    if (work.first_sample > 0) add_sums_so_far(x0, y0, work, block);
+    const word x(std::bit_cast<vuint>(pixels.x)), y(std::bit_cast<vuint>(pixels.y));
     for (std::uint32_t i = 0; i < work.sample_count; ++i) {
         const std::uint32_t sample = work.first_sample + i;
         FirstHit first;
-        block.radiance = block.radiance + sample_radiance(view, work.frame, pixels, pixel_sample(sample), sample,
-                                                          in_image, block.counts, first);
+        const PixelSample at = pixel_sample(view.frame.sampling, x, y, sample);
+        block.radiance =
+            block.radiance +
+            sample_radiance(view, work.frame, pixels, at, sample, in_image, block.counts, first) * at.weight;
+        block.weights = block.weights + at.weight;
         if (i == 0) block.first = first;
     }
     return block;
@@ -215,10 +225,10 @@ void store_block(int x0, int y0, const BlockResult& block, const TileWork& work)
     lanes_of(stored.r.data()) = block.radiance.x.v;
     lanes_of(stored.g.data()) = block.radiance.y.v;
     lanes_of(stored.b.data()) = block.radiance.z.v;
+    lanes_of(stored.weights.data()) = block.weights.v;
     const bool fresh = work.first_sample == 0;
-    const auto samples = static_cast<float>(work.first_sample + work.sample_count);
     for_each_pixel(x0, y0, work, [&](std::size_t lane, std::size_t i) {
-        film.radiance[i] = {stored.r[lane], stored.g[lane], stored.b[lane], samples};
+        film.radiance[i] = {stored.r[lane], stored.g[lane], stored.b[lane], stored.weights[lane]};
         if (film.aovs != 0) add_aovs(film, i, block, static_cast<int>(lane), fresh);
     });
 }

@@ -47,9 +47,8 @@ mask rays_through(const PointBatch& points, int begin, Ray& ray) {
         if (begin + lane < points.count) active[lane] = ~0U;
     }
     const FrameParams& frame = points.scene.frame;
-    const vec2 offset = pixel_sample(0);
-    ray = camera_ray(frame, (real(lanes_of(x.data())) + offset.x) * (1.0F / static_cast<float>(frame.width)),
-                     (real(lanes_of(y.data())) + offset.y) * (1.0F / static_cast<float>(frame.height)));
+    ray = camera_ray(frame, (real(lanes_of(x.data())) + 0.5F) * (1.0F / static_cast<float>(frame.width)),
+                     (real(lanes_of(y.data())) + 0.5F) * (1.0F / static_cast<float>(frame.height)));
     return mask_and(word(active) != word(0U), ray.t_max > ray.t_min);
 }
 

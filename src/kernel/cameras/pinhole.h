@@ -21,14 +21,6 @@ FN Ray pinhole_ray(Camera camera, real x, real y, float far_z) {
     return ray;
 }
 
-/// Where sample `index` of a pixel goes, in pixels from its left (top) edge: the middle for sample 0, then the R2
-/// sequence (Roberts 2018), which fills the square evenly for any count.
-FN vec2 pixel_sample(uint index) {
-    uint x = 0x80000000u + index * 0xc13fa9a9u;
-    uint y = 0x80000000u + index * 0x91e10da5u;
-    return vec2(float(x >> 8u) * 5.9604645e-8f, float(y >> 8u) * 5.9604645e-8f);
-}
-
 KERNEL_END
 
 #endif

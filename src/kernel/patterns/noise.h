@@ -5,6 +5,7 @@
 #ifndef SUNDOG_KERNEL_PATTERNS_NOISE_H
 #define SUNDOG_KERNEL_PATTERNS_NOISE_H
 
+#include "kernel/hash.h"
 #include "kernel/math.h"
 #include "kernel/rays.h"
 
@@ -12,13 +13,6 @@ KERNEL_BEGIN
 
 /// x - floor(x): in [0, 1).
 FN real fraction(real x) { return x - floor(x); }
-
-/// A mixing function of 32 bits (Wellons, Prospecting for Hash Functions, 2018: lowbias32).
-FN word hash_word(word x) {
-    x = (x ^ (x >> 16u)) * word(0x7feb352du);
-    x = (x ^ (x >> 15u)) * word(0x846ca68bu);
-    return x ^ (x >> 16u);
-}
 
 /// Bits 0..9 of a word as a number in [-1, 1].
 FN real signed_unit(word bits) { return real_from_word(bits & word(1023u)) * 0.00195503421f - 1.0f; }

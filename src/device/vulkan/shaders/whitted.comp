@@ -7,6 +7,7 @@
 #include "device/vulkan/shaders/scene.glsl"
 #include "device/vulkan/shaders/trace.glsl"
 #include "kernel/integrators/whitted.h"
+#include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 
 layout(local_size_x = GROUP_WIDTH, local_size_y = GROUP_HEIGHT) in;
@@ -35,10 +36,11 @@ void main() {
         vec4 sum = work.first_sample == 0u ? vec4(0.0f) : radiance_sums[pixel];
         for (uint i = 0u; i < work.sample_count; ++i) {
             uint index = work.first_sample + i;
-            vec2 place = (corner + pixel_sample(index)) * per_pixel;
+            PixelSample at = pixel_sample(frame.sampling, uint(corner.x), uint(corner.y), index);
+            vec2 place = (corner + vec2(at.x, at.y)) * per_pixel;
             Ray ray = camera_ray(frame, place.x, place.y);
             FirstHit first;
-            sum += vec4(whitted_radiance(ray, ray.t_max > ray.t_min, counts, first), 1.0f);
+            sum += vec4(whitted_radiance(ray, ray.t_max > ray.t_min, counts, first) * at.weight, at.weight);
             if (frame_aovs != 0u && index == 0u) {
                 float depth = first.geometry == NONE ? uintBitsToFloat(0x7f800000u) : first.t;
                 pixel_aovs[pixel] = PixelAovs(depth, first.normal, first.albedo, first.geometry, first.primitive,

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How sure the pixels of a picture under way are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "device/film.h"
+
+namespace sundog {
+
+/// Mean and spread of blocks of samples, for each pixel of a film.
+class PixelErrors {
+public:
+    /// `gain`: what radiance is shown times.
+    PixelErrors(const PixelRect& bounds, float gain);
+
+    /// What the film has gained since the last call is one block more for each pixel whose mark isn't 0 (none for those
+    /// that gained nothing).
+    void add_blocks(const Film& film, const std::vector<std::uint8_t>& marks);
+    /// Half the width of the 95% confidence interval of a pixel's worst channel, in square roots of radiance as it is
+    /// shown; infinite while there are too few blocks to tell. A pixel that surely is white or brighter has none.
+    [[nodiscard]] float error(std::size_t pixel) const;
+    /// The largest error of each pixel and its eight neighbours.
+    [[nodiscard]] std::vector<float> errors_around() const;
+    [[nodiscard]] std::uint32_t blocks(std::size_t pixel) const { return pixels_[pixel].blocks; }
+
+private:
+    struct Pixel {
+        std::array<float, 3> mean{}, squares{};  // of blocks; sums of squared differences from the mean
+        std::array<float, 4> film{};             // its sums at the last call
+        std::uint32_t blocks = 0;
+    };
+    int width_, height_;
+    float gain_;
+    std::vector<Pixel> pixels_;
+};
+
+}  // namespace sundog

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of a picture.
+#pragma once
+
+#include <optional>
+
+#include "device/device.h"
+
+namespace sundog {
+
+/// What became of a picture.
+struct RenderResult {
+    Film film;
+    RenderStats stats;
+    double seconds = 0;
+    bool stopped = false;  ///< True if the StopFlag ended it early; the film then holds what was done.
+};
+
+/// The pixels to render: `region`, or all of the frame's.
+inline PixelRect picture_of(const Frame& frame, const std::optional<PixelRect>& region) {
+    return region.value_or(
+        PixelRect{0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)});
+}
+
+}  // namespace sundog
