@@ -142,11 +142,7 @@ private:
             const output::Comparison c = output::compare(image_of(result.film), reference);
             timing.rmse = c.rmse;
             timing.psnr_db = c.psnr_db;
-            for (const auto& pixel : result.film.radiance)
-                timing.samples += pixel[3] / static_cast<double>(result.film.radiance.size());
-            if (result.stats.points > 0 && way.name.starts_with("recursive"))
-                timing.samples =
-                    static_cast<double>(result.stats.points) / static_cast<double>(result.film.radiance.size());
+            timing.samples = samples_taken(result) / static_cast<double>(result.film.radiance.size());
         }
         if (stop_.requested()) return;
         timing.seconds = median(seconds);

@@ -35,21 +35,26 @@ function(sundog_library name)
   target_link_libraries(sundog_${name} PUBLIC sundog_options ${ARG_DEPS} PRIVATE ${ARG_PRIVATE_DEPS})
 endfunction()
 
-# sundog_test(name [FOREIGN_LEAKS] SOURCES a_test.cpp … DEPS targets …): a GoogleTest program whose cases CTest runs one by
-# one. FOREIGN_LEAKS: drivers or system libraries that it loads leak (Mesa's, D-Bus), so sanitized runs don't ask for leaks.
+# sundog_test(name [FOREIGN_LEAKS] [SLOW] SOURCES a_test.cpp … DEPS targets …): a GoogleTest program whose cases CTest runs one by
+# one. FOREIGN_LEAKS: drivers or system libraries that it loads leak (Mesa's, D-Bus), so sanitized runs don't ask for leaks. SLOW: started
+# before others, so that the last ones to end aren't long.
 function(sundog_test name)
   if(NOT SUNDOG_TESTS)
     return()
   endif()
-  cmake_parse_arguments(ARG "FOREIGN_LEAKS" "" "SOURCES;DEPS" ${ARGN})
+  cmake_parse_arguments(ARG "FOREIGN_LEAKS;SLOW" "" "SOURCES;DEPS" ${ARGN})
   set(environment)
   if(ARG_FOREIGN_LEAKS)
     set(environment ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+  endif()
+  set(cost 0)
+  if(ARG_SLOW)
+    set(cost 100)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE sundog_options ${ARG_DEPS} GTest::gtest_main)
   # What tests do themselves is quick; building them is most of the build after the kernels.
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(${name} PRIVATE SUNDOG_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 ${environment})
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 COST ${cost} ${environment})
 endfunction()

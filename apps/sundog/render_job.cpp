@@ -82,10 +82,8 @@ struct PictureAndSummary {
 };
 
 /// "4 samples a pixel", "2.3 samples a pixel"
-std::string samples_of(const Film& film) {
-    double sum = 0;
-    for (const auto& pixel : film.radiance) sum += pixel[3];
-    const double mean = sum / static_cast<double>(film.radiance.size());
+std::string samples_of(const RenderResult& result) {
+    const double mean = samples_taken(result) / static_cast<double>(result.film.radiance.size());
     const std::string number = fmt::format("{:.3g}", mean);
     return number + (number == "1" ? " sample a pixel" : " samples a pixel");
 }
@@ -131,7 +129,7 @@ PictureAndSummary picture_of(const Frame& frame, const RenderArguments& argument
             result = session.render(frame, static_cast<std::uint32_t>(sampling.most_samples()), progress, stop);
             break;
     }
-    picture.samples = samples_of(result.film);
+    picture.samples = samples_of(result);
     return picture;
 }
 

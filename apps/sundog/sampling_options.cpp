@@ -94,7 +94,9 @@ int SamplingArguments::most_samples() const {
 
 kernel::PixelSampling SamplingArguments::pixel_sampling() const {
     const std::uint32_t filter = pixel_filter.value_or(kernel::FILTER_PIXEL);
-    const std::uint32_t where = pattern.value_or(kernel::SAMPLES_R2);
+    // Single samples are in the middle.
+    const bool one = way() != Way::fixed || most_samples() == 1;
+    const std::uint32_t where = pattern.value_or(one ? kernel::SAMPLES_R2 : kernel::SAMPLES_SOBOL);
     const bool grid = where == kernel::SAMPLES_REGULAR || where == kernel::SAMPLES_JITTERED;
     return {where, grid ? static_cast<std::uint32_t>(square_root_of(most_samples())) : 0, filter,
             filter_radius.value_or(kFilters[filter].radius)};
@@ -186,7 +188,7 @@ void add_sampling_options(CLI::App& command, SamplingArguments& a) {
         "Samples a pixel (1); the most that one gets with --adaptive (9) and --target-error (1024)", "N");
     add(
         "--sampler", [&a](Text text) { a.pattern = numbered("--sampler", text, kPatterns); },
-        "Where in a pixel they go: r2 (default), regular, jittered or sobol", "NAME");
+        "Where in a pixel they go: sobol (default), r2, regular or jittered", "NAME");
     add(
         "--filter", [&a](Text text) { a.pixel_filter = filter_named(text); },
         "How they are weighed: pixel (default), box, tent, gaussian, mitchell or blackman-harris", "NAME");

@@ -48,7 +48,7 @@ struct PicturePlace {
 struct RenderStats {
     std::uint64_t rays = 0;         ///< Rays of all kinds: primary, secondary and shadow.
     std::uint64_t shadow_rays = 0;  ///< Of them, shadow rays.
-    std::uint64_t points = 0;       ///< Of refine(): points of the picture that were traced.
+    std::uint64_t points = 0;       ///< Points of the picture that were traced, where pixels don't each have their own.
     bool complete = true;           ///< False if stopped early: some pixels of the region keep their old content.
     /// Nodes, cells and boxes that rays visited, and primitives that they were tested against; 0 where the device
     /// doesn't count them (Embree and GPUs). Rays of packets whose directions go apart may be asked, and counted,

@@ -27,10 +27,12 @@ private:
 
 /// Sampling by contrast, as POV-Ray's first method does it.
 struct AdaptiveSampling {
-    double threshold = 0.3;     ///< As in ColorContrast.
-    double gamma = 2.5;         ///< As in ColorContrast.
-    std::uint32_t samples = 9;  ///< That pixels get which differ from a neighbour; others have one.
-    bool by_object = false;     ///< Pixels that see different objects differ, too: the film needs AOV_OBJECT.
+    double threshold = 0.3;  ///< As in ColorContrast.
+    double gamma = 2.5;      ///< As in ColorContrast.
+    /// That pixels get which differ from a neighbour, on a regular grid for a square number and by Sobol's sequence
+    /// otherwise; others have one, in their middle.
+    std::uint32_t samples = 9;
+    bool by_object = false;  ///< Pixels that see different objects differ, too: the film needs AOV_OBJECT.
     /// Pixels differ, too, whose depths are further apart than this times the smaller one; 0: not. Needs AOV_DEPTH.
     float depth_ratio = 0;
     /// The one sample a pixel is made by grid refinement of this tolerance (RefinedWork), and so not for all of them;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -29,14 +30,16 @@ public:
           aim_(target.error > 0 ? target.error : kFirstTarget),
           errors_(picture, target.gain),
           marks_(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()), 1),
+          marked_(marks_.size()),
           result_{{Film(picture, frame.params.aovs), {}, 0, false}} {
         frame_.params.sampling.pattern = kernel::SAMPLES_SOBOL;
         frame_.params.sampling.cells = kSampleBlock;
+        std::iota(marked_.begin(), marked_.end(), 0U);
     }
 
     ErrorDrivenResult render() {
         for (std::uint32_t round = 0; render_round(round); ++round) {
-            errors_.add_blocks(result_.film, marks_);
+            errors_.add_blocks(result_.film, marked_);
             if (over() || !mark_next()) break;
         }
         result_.stats.complete = !result_.stopped;
@@ -67,31 +70,35 @@ private:
             result_.stats.shadow_rays += stats.shadow_rays;
             result_.stopped = !stats.complete;
             if (result_.stopped) break;
+            for (const PixelRect& region : some) done_ += static_cast<double>(region.width()) * region.height();
             report(round == 0 ? static_cast<double>(done + some.size()) / static_cast<double>(regions.size()) : 1);
         }
         return true;
     }
 
-    /// Marks the pixels that get a further block; false if none does.
+    /// Unmarks the pixels that need no further block; with no target, starts anew with a smaller one when none is left.
+    /// False if none gets any.
     bool mark_next() {
-        const std::vector<float> errors = errors_.errors_around();
-        for (;; aim_ /= 2) {
-            bool any = false;
-            double have = 0, need = 0;
-            for (std::size_t i = 0; i < marks_.size(); ++i) {
-                const auto blocks = static_cast<double>(errors_.blocks(i));
-                const bool wanted = errors[i] > aim_ && (blocks + 1) * kSampleBlock <= target_.most_samples;
-                marks_[i] = wanted ? 1 : 0;
-                any = any || wanted;
-                have += blocks;
-                if (!wanted) continue;
+        // Errors of pixels that get nothing stay what they are: of the others alone some are done.
+        double need = 0;
+        std::erase_if(marked_, [&](std::uint32_t i) {
+            const float error = errors_.error_around(i);
+            const auto blocks = static_cast<double>(errors_.blocks(i));
+            const bool wanted = error > aim_ && (blocks + 1) * kSampleBlock <= target_.most_samples;
+            marks_[i] = wanted ? 1 : 0;
+            if (wanted) {
                 // Errors fall with the root of the number of blocks.
-                const double ratio = std::isfinite(errors[i]) ? errors[i] / aim_ : 2;
+                const double ratio = std::isfinite(error) ? error / aim_ : 2;
                 need += std::min(blocks * (ratio * ratio - 1), target_.most_samples / kSampleBlock - blocks);
             }
-            fraction_ = have / std::max(have + need, 1.0);
-            if (any || target_.error > 0 || aim_ < kLastTarget) return any;
-        }
+            return !wanted;
+        });
+        need_ = need;
+        if (!marked_.empty() || target_.error > 0 || aim_ < kLastTarget) return !marked_.empty();
+        aim_ /= 2;
+        marked_.resize(marks_.size());
+        std::iota(marked_.begin(), marked_.end(), 0U);
+        return mark_next();
     }
 
     /// `first_round`: share of it that is done.
@@ -99,7 +106,7 @@ private:
         if (!progress_) return;
         const double now = seconds();
         const double by_time = now / target_.time_limit_s;  // 0 without a limit
-        const double by_error = target_.error > 0 ? fraction_ : 0;
+        const double by_error = target_.error > 0 ? done_ / (done_ + std::max(need_, 1.0)) : 0;
         shown_ = std::max(shown_, std::min(1.0, std::max(by_time, by_error)));
         progress_({std::max(shown_, first_round * 0.01), now, result_.stats.rays});
     }
@@ -124,9 +131,11 @@ private:
     const StopFlag& stop_;
     double aim_;
     PixelErrors errors_;
-    std::vector<std::uint8_t> marks_;
+    std::vector<std::uint8_t> marks_;    // 1 for pixels that get a block in the next round
+    std::vector<std::uint32_t> marked_;  // their numbers
     ErrorDrivenResult result_;
-    double fraction_ = 0, shown_ = 0;
+    double done_ = 0, need_ = 0;  ///< Blocks.
+    double shown_ = 0;            ///< Progress.
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

@@ -130,20 +130,20 @@ TEST(PixelErrors, AreHalfTheIntervalOfTheRoot) {
     Film film(one);
     PixelErrors errors(one, 1);
     EXPECT_TRUE(std::isinf(errors.error(0)));
-    const std::vector<std::uint8_t> marks{1};
+    const std::vector<std::uint32_t> all{0};
     float sum = 0;
     for (const float block : {0.2F, 0.3F, 0.2F, 0.3F}) {
         sum += block * 4;
         film.radiance[0] = {sum, sum, sum, film.radiance[0][3] + 4};
-        errors.add_blocks(film, marks);
+        errors.add_blocks(film, all);
     }
     // Mean 0.25, standard deviation 0.057735; half the width: 3.182 * 0.057735 / 2; the root's slope there is 1.
     EXPECT_NEAR(errors.error(0), 0.0919F, 0.001F);
     PixelErrors bright(one, 8);
-    bright.add_blocks(film, marks);  // A block of 0.25; the same again, four times
+    bright.add_blocks(film, all);  // A block of 0.25; the same again, four times
     for (int i = 0; i < 4; ++i) {
         for (std::size_t c = 0; c < 4; ++c) film.radiance[0][c] += c < 3 ? 1.0F + 0.1F * static_cast<float>(i) : 4.0F;
-        bright.add_blocks(film, marks);
+        bright.add_blocks(film, all);
     }
     EXPECT_EQ(bright.error(0), 0);
 }

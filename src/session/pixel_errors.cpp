@@ -23,28 +23,17 @@ float t_quantile(float freedom) {
 /// Square roots' slope is cut off below this: 1/400 of white, where sRGB's own curve grows straight.
 constexpr float kDarkest = 0.0025F;
 
-/// The largest of each value and its two neighbours in a row or column of `count`, `stride` apart.
-void spread_largest(float* values, std::size_t count, std::size_t stride) {
-    float before = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const float here = values[i * stride];
-        const float after = i + 1 < count ? values[(i + 1) * stride] : 0;
-        values[i * stride] = std::max({before, here, after});
-        before = here;
-    }
-}
-
 }  // namespace
 
 PixelErrors::PixelErrors(const PixelRect& bounds, float gain)
-    : width_(bounds.width()),
-      height_(bounds.height()),
+    : width_(static_cast<std::size_t>(bounds.width())),
+      height_(static_cast<std::size_t>(bounds.height())),
       gain_(gain),
-      pixels_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {}
+      pixels_(width_ * height_),
+      errors_(pixels_.size(), std::numeric_limits<float>::infinity()) {}
 
-void PixelErrors::add_blocks(const Film& film, const std::vector<std::uint8_t>& marks) {
-    for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        if (marks[i] == 0) continue;
+void PixelErrors::add_blocks(const Film& film, std::span<const std::uint32_t> pixels) {
+    for (const std::uint32_t i : pixels) {
         Pixel& pixel = pixels_[i];
         const std::array<float, 4>& sum = film.radiance[i];
         if (sum == pixel.film) continue;  // Nothing came: the work was stopped before.
@@ -57,11 +46,11 @@ void PixelErrors::add_blocks(const Film& film, const std::vector<std::uint8_t>& 
             pixel.squares[c] += step * (block - pixel.mean[c]);
         }
         pixel.film = sum;
+        errors_[i] = error_of(pixel);
     }
 }
 
-float PixelErrors::error(std::size_t i) const {
-    const Pixel& pixel = pixels_[i];
+float PixelErrors::error_of(const Pixel& pixel) const {
     if (pixel.blocks < kFewestBlocks) return std::numeric_limits<float>::infinity();
     const auto number = static_cast<float>(pixel.blocks);
     const float scale = t_quantile(number - 1) * gain_ / std::sqrt(number * (number - 1));
@@ -75,13 +64,13 @@ float PixelErrors::error(std::size_t i) const {
     return worst;
 }
 
-std::vector<float> PixelErrors::errors_around() const {
-    std::vector<float> errors(pixels_.size());
-    for (std::size_t i = 0; i < errors.size(); ++i) errors[i] = error(i);
-    const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
-    for (std::size_t y = 0; y < height; ++y) spread_largest(&errors[y * width], width, 1);
-    for (std::size_t x = 0; x < width; ++x) spread_largest(&errors[x], height, width);
-    return errors;
+float PixelErrors::error_around(std::size_t pixel) const {
+    const std::size_t x = pixel % width_, y = pixel / width_;
+    float worst = 0;
+    for (std::size_t row = y > 0 ? y - 1 : 0; row <= std::min(y + 1, height_ - 1); ++row)
+        for (std::size_t column = x > 0 ? x - 1 : 0; column <= std::min(x + 1, width_ - 1); ++column)
+            worst = std::max(worst, errors_[row * width_ + column]);
+    return worst;
 }
 
 }  // namespace sundog

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "device/film.h"
@@ -16,14 +18,14 @@ public:
     /// `gain`: what radiance is shown times.
     PixelErrors(const PixelRect& bounds, float gain);
 
-    /// What the film has gained since the last call is one block more for each pixel whose mark isn't 0 (none for those
-    /// that gained nothing).
-    void add_blocks(const Film& film, const std::vector<std::uint8_t>& marks);
+    /// What the film has gained since the last call is one block more for each of `pixels` (numbers of the film's; none
+    /// for those that gained nothing).
+    void add_blocks(const Film& film, std::span<const std::uint32_t> pixels);
     /// Half the width of the 95% confidence interval of a pixel's worst channel, in square roots of radiance as it is
     /// shown; infinite while there are too few blocks to tell. A pixel that surely is white or brighter has none.
-    [[nodiscard]] float error(std::size_t pixel) const;
-    /// The largest error of each pixel and its eight neighbours.
-    [[nodiscard]] std::vector<float> errors_around() const;
+    [[nodiscard]] float error(std::size_t pixel) const { return errors_[pixel]; }
+    /// The largest error of a pixel and its eight neighbours.
+    [[nodiscard]] float error_around(std::size_t pixel) const;
     [[nodiscard]] std::uint32_t blocks(std::size_t pixel) const { return pixels_[pixel].blocks; }
 
 private:
@@ -32,9 +34,12 @@ private:
         std::array<float, 4> film{};             // its sums at the last call
         std::uint32_t blocks = 0;
     };
-    int width_, height_;
+    [[nodiscard]] float error_of(const Pixel& pixel) const;
+
+    std::size_t width_, height_;
     float gain_;
     std::vector<Pixel> pixels_;
+    std::vector<float> errors_;
 };
 
 }  // namespace sundog

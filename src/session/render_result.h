@@ -16,6 +16,14 @@ struct RenderResult {
     bool stopped = false;  ///< True if the StopFlag ended it early; the film then holds what was done.
 };
 
+/// How many samples a picture took in all.
+inline double samples_taken(const RenderResult& result) {
+    auto samples = static_cast<double>(result.stats.points);
+    if (samples == 0)
+        for (const auto& pixel : result.film.radiance) samples += pixel[3];
+    return samples;
+}
+
 /// The pixels to render: `region`, or all of the frame's.
 inline PixelRect picture_of(const Frame& frame, const std::optional<PixelRect>& region) {
     return region.value_or(

@@ -109,15 +109,30 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     const Clock::time_point start = Clock::now();
     const double seconds_before = result.seconds;
     const Contrast contrast = contrast_of(result.film, sampling);
+    // A grid with a middle keeps the first pass's sample; otherwise all are taken anew.
+    Frame further = frame;
+    const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(static_cast<double>(sampling.samples))));
+    const bool is_grid = side * side == sampling.samples;
+    further.params.sampling.pattern = is_grid ? kernel::SAMPLES_REGULAR : kernel::SAMPLES_SOBOL;
+    further.params.sampling.cells = is_grid ? side : 0;
+    const std::uint32_t kept = is_grid && side % 2 == 1 ? 1 : 0;
     const std::vector<PixelRect>& regions = contrast.regions;
+    const auto marked_in = [&](std::span<const PixelRect> some) {
+        std::uint64_t count = 0;
+        for (const PixelRect& r : some)
+            for (int y = r.y0; y < r.y1; ++y)
+                for (int x = r.x0; x < r.x1; ++x) count += contrast.pixels[result.film.index(x, y)];
+        return count;
+    };
     // Few enough that a stop is answered soon, enough to keep all threads busy.
     constexpr std::size_t kAtOnce = 256;
     for (std::size_t done = 0; done < regions.size() && !result.stopped; done += kAtOnce) {
         const auto some = std::span(regions).subspan(done, std::min(kAtOnce, regions.size() - done));
-        const RenderStats stats =
-            device_->render_regions(frame, some, {{}, 1, sampling.samples - 1, contrast.pixels}, result.film, stop);
+        const RenderStats stats = device_->render_regions(
+            further, some, {{}, kept, sampling.samples - kept, contrast.pixels}, result.film, stop);
         result.stats.rays += stats.rays;
         result.stats.shadow_rays += stats.shadow_rays;
+        if (sampling.preview > 0) result.stats.points += marked_in(some) * (sampling.samples - kept);
         result.stopped = !stats.complete;
         result.seconds = seconds_before + seconds_since(start);
         const double refined = static_cast<double>(done + some.size()) / static_cast<double>(regions.size());

@@ -268,7 +268,8 @@ private:
         RenderResult result =
             settings_.antialias && settings_.sampling_method == 2
                 ? session_->render_recursive(
-                      frame, {settings_.antialias_threshold, settings_.antialias_gamma, settings_.antialias_depth},
+                      // Counts of samples say that povray's depth 1 is whole pixels.
+                      frame, {settings_.antialias_threshold, settings_.antialias_gamma, settings_.antialias_depth - 1},
                       std::ref(line), stop, region)
                 : session_->render_adaptive(frame, sampling_of(settings_), std::ref(line), stop, region);
         line.clear();
@@ -331,16 +332,14 @@ private:
     }
 
     void report_statistics(const RenderResult& result) {
-        double samples = 0;
-        for (const auto& pixel : result.film.radiance) samples += pixel[3];
         const int seconds = static_cast<int>(result.seconds);
         text_.write(
             PovText::statistic,
             fmt::format("Render Statistics\nImage Resolution {} x {}\nPixels: {}   Samples: {:.0f}   Rays: {}   "
                         "Shadow rays: {}\nTrace Time: {} hours {} minutes {} seconds ({:.3f} seconds) on {}\n",
-                        settings_.width, settings_.height, result.film.radiance.size(), samples, result.stats.rays,
-                        result.stats.shadow_rays, seconds / 3600, seconds / 60 % 60, seconds % 60, result.seconds,
-                        session_->device().info().name));
+                        settings_.width, settings_.height, result.film.radiance.size(), samples_taken(result),
+                        result.stats.rays, result.stats.shadow_rays, seconds / 3600, seconds / 60 % 60, seconds % 60,
+                        result.seconds, session_->device().info().name));
     }
 
     const PovSettings settings_;

@@ -102,19 +102,21 @@ FN PixelSample pixel_sample(PixelSampling sampling, word x, word y, uint index) 
     PixelSample result;
     result.weight = real(1.0f);
     uint cells = max(sampling.cells, 1u);
+    // Grids begin in the middle, for those of an odd number of cells on a side.
+    uint cell = (index + cells * cells / 2u) % (cells * cells);
     if (sampling.pattern == SAMPLES_R2) {
         vec2 place = r2_sample(index);
         result.x = real(place.x);
         result.y = real(place.y);
     } else if (sampling.pattern == SAMPLES_REGULAR) {
-        result.x = real((float(index % cells) + 0.5f) / float(cells));
-        result.y = real((float(index / cells % cells) + 0.5f) / float(cells));
+        result.x = real((float(cell % cells) + 0.5f) / float(cells));
+        result.y = real((float(cell / cells) + 0.5f) / float(cells));
     } else {
         word pixel = hash_word(hash_word(x) + y);
         if (sampling.pattern == SAMPLES_JITTERED) {
             word bits = hash_word(pixel + word(index));
-            result.x = (real(float(index % cells)) + unit_from_word(bits)) * (1.0f / float(cells));
-            result.y = (real(float(index / cells % cells)) + unit_from_word(hash_word(bits))) * (1.0f / float(cells));
+            result.x = (real(float(cell % cells)) + unit_from_word(bits)) * (1.0f / float(cells));
+            result.y = (real(float(cell / cells)) + unit_from_word(hash_word(bits))) * (1.0f / float(cells));
         } else {
             // Blocks of samples, each with a scrambling of its own.
             uint block_size = sampling.cells == 0u ? 0xffffffffu : sampling.cells;
