@@ -7,32 +7,11 @@
 #include <cstdint>
 
 #include "base/vec3d.h"
-#include "device/render_scene.h"
+#include "device/accel/primitive_facts.h"
 #include "kernel/shapes/box.h"
 #include "kernel/shapes/sphere.h"
 
 namespace sundog::accel {
-
-/// Hits so near to each other, relative to their distance, are at one place: single precision tells them apart by
-/// chance, pixel by pixel.
-inline constexpr float kCoincident = 1e-6F;
-
-/// Spheres from this radius on are found in double: where a ray leaves a planet, numbers of floats are too coarse to
-/// tell that it does.
-inline constexpr float kLargeRadius = 1000;
-
-/// The material of a triangle, sphere or box.
-inline std::uint32_t material_of(const RenderScene& scene, const kernel::Geometry& geometry, std::uint32_t primitive) {
-    const std::uint32_t i = geometry.first_primitive + primitive;
-    switch (geometry.kind) {
-        case kernel::GEOMETRY_SPHERE:
-            return scene.spheres[i].material;
-        case kernel::GEOMETRY_BOX:
-            return scene.boxes[i].material;
-        default:
-            return scene.triangles[i].material;
-    }
-}
 
 inline bool hit_large_sphere(const kernel::Sphere& sphere, const kernel::Ray& ray, float& t, kernel::real3& normal) {
     const Vec3d direction{ray.direction.x, ray.direction.y, ray.direction.z};

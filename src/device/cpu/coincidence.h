@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/vec.h"
-#include "device/accel/primitive_tests.h"
+#include "device/accel/primitive_facts.h"
 #include "device/cpu/embree.h"
 
 namespace sundog::cpu {

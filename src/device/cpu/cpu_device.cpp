@@ -69,6 +69,9 @@ public:
                          : lanes_ == 8 ? cpu::trace_photons_8
                                        : cpu::trace_photons_4;
         rays_ = lanes_ == 16 ? cpu::trace_rays_16 : lanes_ == 8 ? cpu::trace_rays_8 : cpu::trace_rays_4;
+        shapes_ = lanes_ == 16  ? cpu::ShapeCallbacks{cpu::intersect_shapes_16, cpu::occluded_by_shapes_16}
+                  : lanes_ == 8 ? cpu::ShapeCallbacks{cpu::intersect_shapes_8, cpu::occluded_by_shapes_8}
+                                : cpu::ShapeCallbacks{cpu::intersect_shapes_4, cpu::occluded_by_shapes_4};
         const int threads = arena_.max_concurrency();
         device_.reset(rtcNewDevice(("threads=" + std::to_string(threads) + ",frequency_level=simd512").c_str()));
         if (!device_) throw DeviceError("Embree can't start on this processor");
@@ -95,7 +98,7 @@ public:
             structure_.reset();
             scene_ = std::move(scene);
             if (acceleration_ == Acceleration::embree)
-                embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
+                embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_, shapes_);
             else structure_ = std::make_unique<cpu::StructureScene>(device_.get(), acceleration_, *scene_);
         });
     }
@@ -367,6 +370,7 @@ private:
     cpu::LookKernel looks_ = nullptr;
     cpu::RayKernel rays_ = nullptr;
     cpu::PhotonKernel photon_kernel_ = nullptr;
+    cpu::ShapeCallbacks shapes_{};
     tbb::task_arena arena_;
     std::atomic<std::int64_t> bytes_{0};  // outlives the Embree objects that count themselves off
     embree::Device device_;

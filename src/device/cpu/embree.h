@@ -22,6 +22,14 @@ using Scene = std::unique_ptr<RTCSceneTy, Release>;
 using Geometry = std::unique_ptr<RTCGeometryTy, Release>;
 
 #if RTC_VERSION_MAJOR >= 4
+/// What callbacks are told of the query that they are part of.
+using Context = RTCRayQueryContext;
+inline Context make_context() {
+    Context context;
+    rtcInitRayQueryContext(&context);
+    return context;
+}
+
 /// How a query is made: coherent rays are traced as a packet, others one by one where that is faster.
 struct Query {
     [[gnu::always_inline]] explicit Query(bool coherent) {
@@ -51,6 +59,14 @@ struct Query {
     rtcOccluded16(valid, scene, &ray, &query.occluded);
 }
 #else
+/// What callbacks are told of the query that they are part of.
+using Context = RTCIntersectContext;
+inline Context make_context() {
+    Context context;
+    rtcInitIntersectContext(&context);
+    return context;
+}
+
 /// How a query is made: coherent rays are traced as a packet, others one by one where that is faster.
 struct Query {
     [[gnu::always_inline]] explicit Query(bool coherent) {

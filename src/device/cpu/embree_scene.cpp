@@ -7,17 +7,11 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "device/accel/primitive_bounds.h"
-#include "device/accel/primitive_tests.h"
-#include "device/cpu/callback_rays.h"
-#include "device/cpu/coincidence.h"
 #include "device/cpu/solid_callbacks.h"
 
 namespace sundog::cpu {
 namespace {
 
-using accel::hit_shape;
-using accel::material_of;
 using kernel::NONE;
 
 /// The placement as Embree takes it: a 3x4 matrix by columns.
@@ -27,14 +21,10 @@ std::array<float, 12> columns_of(const kernel::Instance& i) {
             i.world_from_object_z.z, i.world_from_object_t.x, i.world_from_object_t.y, i.world_from_object_t.z};
 }
 
-bool culls(const GeometryData& data, std::uint32_t primitive) {
-    return data.culling && data.opaque(material_of(*data.scene, data.geometry, primitive));
-}
-
 }  // namespace
 
-EmbreeScene::EmbreeScene(RTCDevice device, const RenderScene& scene)
-    : device_(device), scene_(scene), top_(rtcNewScene(device)) {
+EmbreeScene::EmbreeScene(RTCDevice device, const RenderScene& scene, ShapeCallbacks shapes)
+    : device_(device), scene_(scene), shapes_(shapes), top_(rtcNewScene(device)) {
     rtcSetSceneBuildQuality(top_.get(), RTC_BUILD_QUALITY_MEDIUM);
     rtcSetSceneFlags(top_.get(), RTC_SCENE_FLAG_ROBUST);
     for (std::uint32_t i = 0; i < scene.geometries.size(); ++i)
@@ -67,9 +57,9 @@ embree::Geometry EmbreeScene::make_geometry(GeometryData& data) {
     } else {
         const bool solid = g.kind == kernel::GEOMETRY_SOLID;
         rtcSetGeometryUserPrimitiveCount(geometry.get(), g.primitive_count);
-        rtcSetGeometryBoundsFunction(geometry.get(), solid ? solid_bounds : bounds_of, &data);
-        rtcSetGeometryIntersectFunction(geometry.get(), solid ? intersect_solid : intersect);
-        rtcSetGeometryOccludedFunction(geometry.get(), solid ? occluded_by_solid : occluded);
+        rtcSetGeometryBoundsFunction(geometry.get(), solid ? solid_bounds : shape_bounds, &data);
+        rtcSetGeometryIntersectFunction(geometry.get(), solid ? intersect_solid : shapes_.intersect);
+        rtcSetGeometryOccludedFunction(geometry.get(), solid ? occluded_by_solid : shapes_.occluded);
     }
     // What may be seen is for the callbacks to say; Embree 4 would compare masks by itself, and starts with 1.
     rtcSetGeometryMask(geometry.get(), 0xffffffffU);
@@ -147,44 +137,6 @@ void EmbreeScene::update(const Frame& frame) {
     if (changed) {
         rtcCommitScene(top_.get());
         check("updating acceleration structures");
-    }
-}
-
-void EmbreeScene::bounds_of(const RTCBoundsFunctionArguments* args) {
-    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    *args->bounds_o = rtc_bounds(accel::roomy(accel::bounds_of(*data.scene, data.geometry, args->primID)));
-}
-
-void EmbreeScene::intersect(const RTCIntersectFunctionNArguments* args) {
-    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    const unsigned n = args->N;
-    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, n);
-    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, n);
-    const bool culling = culls(data, args->primID);
-    for (unsigned lane = 0; lane < n; ++lane) {
-        if (args->valid[lane] == 0 || (RTCRayN_mask(rays, n, lane) & data.visible_to) == 0) continue;
-        float t = 0;
-        kernel::real3 normal;
-        kernel::Ray ray = ray_of(rays, n, lane);
-        ray.t_max = reach_of(rays, n, lane);
-        if (!hit_shape(*data.scene, data.geometry, args->primID, ray, culling, t, normal)) continue;
-        if (!enter_hit(args, lane, t, normal.x, normal.y, normal.z)) continue;
-        RTCHitN_u(hits, n, lane) = 0;
-        RTCHitN_v(hits, n, lane) = 0;
-        RTCHitN_primID(hits, n, lane) = args->primID;
-    }
-}
-
-void EmbreeScene::occluded(const RTCOccludedFunctionNArguments* args) {
-    const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    const bool culling = culls(data, args->primID);
-    const unsigned n = args->N;
-    for (unsigned lane = 0; lane < n; ++lane) {
-        if (args->valid[lane] == 0 || (RTCRayN_mask(args->ray, n, lane) & data.visible_to) == 0) continue;
-        float t = 0;
-        kernel::real3 normal;
-        if (hit_shape(*data.scene, data.geometry, args->primID, ray_of(args->ray, n, lane), culling, t, normal))
-            RTCRayN_tfar(args->ray, n, lane) = -INFINITY;
     }
 }
 

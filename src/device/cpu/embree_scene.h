@@ -8,6 +8,7 @@
 
 #include "device/cpu/embree.h"
 #include "device/cpu/geometry_data.h"
+#include "device/cpu/shape_callbacks.h"
 #include "device/cpu/traversal.h"
 #include "device/render_scene.h"
 
@@ -15,8 +16,9 @@ namespace sundog::cpu {
 
 class EmbreeScene final : public Traversal {
 public:
-    /// Builds over the scene, which must outlive this. Errors: DeviceError (out of memory).
-    EmbreeScene(RTCDevice device, const RenderScene& scene);
+    /// Builds over the scene, which must outlive this; `shapes` are called for its spheres and boxes. Errors:
+    /// DeviceError (out of memory).
+    EmbreeScene(RTCDevice device, const RenderScene& scene, ShapeCallbacks shapes);
 
     /// Commits if anything changed.
     void update(const Frame& frame) override;
@@ -28,14 +30,12 @@ private:
     embree::Geometry make_geometry(GeometryData& data);
     void check(const char* doing) const;
 
-    static void bounds_of(const RTCBoundsFunctionArguments* args);
-    static void intersect(const RTCIntersectFunctionNArguments* args);
-    static void occluded(const RTCOccludedFunctionNArguments* args);
     static void filter(const RTCFilterFunctionNArguments* args);
     static void set_filters(const GeometryData& data);
 
     RTCDevice device_;
     const RenderScene& scene_;
+    ShapeCallbacks shapes_;
     embree::Scene top_;
     std::vector<std::unique_ptr<GeometryData>> data_;
     std::vector<embree::Scene> moving_;     ///< One scene for each moving geometry, by instance.
