@@ -52,6 +52,13 @@ double done_fraction(const Film& film, int samples) {
     return sum / (static_cast<double>(film.radiance.size()) * samples);
 }
 
+/// The picture as it is to be shown.
+output::Image shown_image(const Film& film, const RenderArguments& arguments) {
+    output::Image image = image_of(film, arguments.exposure_ev);
+    if (arguments.shown == Shown::rays) paint_traced(film, image);
+    return image;
+}
+
 /// Writes a video's or numbered images' frames in order.
 class FrameWriter {
 public:
@@ -59,7 +66,7 @@ public:
         if (plan.target == Target::video) video_.emplace(plan.file, size.width, size.height, frames_per_second);
     }
     void add(int number, const Film& film, const RenderArguments& arguments) {
-        const output::Image image = image_of(film, arguments.exposure_ev);
+        const output::Image image = shown_image(film, arguments);
         if (video_) video_->add(image);
         else write_picture(plan_, numbered_file(plan_.file, number), image, layers_of(film, arguments.aovs));
         ++written_;
@@ -100,8 +107,7 @@ int render_image(const RenderArguments& arguments, const OutputPlan& plan, const
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
     const RenderResult result = picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
     line.clear();
-    write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
-                  layers_of(result.film, arguments.aovs));
+    write_picture(plan, plan.file, shown_image(result.film, arguments), layers_of(result.film, arguments.aovs));
     if (result.stopped) {
         print_note(fmt::format("interrupted: wrote what was done ({:.0f} %) to {}",
                                100 * done_fraction(result.film, arguments.samples), name_of(plan)));
