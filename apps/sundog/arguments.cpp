@@ -158,6 +158,12 @@ Acceleration parse_acceleration(std::string_view text) {
     return acceleration_named(parse_choice("--accel", text, {kAccelerationNames.begin(), kAccelerationNames.end()}));
 }
 
+RefinementMethod parse_refinement_method(std::string_view text) {
+    const std::string name = parse_choice("--preview-method", text, {"grid", "scanline", "scanline-assumed"});
+    if (name == "grid") return RefinementMethod::grid;
+    return name == "scanline" ? RefinementMethod::scanline : RefinementMethod::scanline_assumed;
+}
+
 std::string parse_device(std::string_view text) { return parse_choice("--device", text, {"auto", "cpu", "gpu"}); }
 
 }  // namespace sundog::app

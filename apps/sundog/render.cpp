@@ -65,6 +65,8 @@ void check_shown_rays(const RenderArguments& arguments) {
 int render(RenderArguments arguments) {
     if (arguments.preview && arguments.samples > 1)
         throw UsageError("--preview takes one sample a pixel", "leave --spp out");
+    if (arguments.preview_method && !arguments.preview)
+        throw UsageError("--preview-method says how --preview chooses what to trace", "add --preview 0.1");
     if (arguments.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.shown == Shown::cost) check_shown_cost(arguments);
@@ -161,6 +163,12 @@ void add_render(CLI::App& program, Action& action) {
             "Trace fewer rays than pixels: interpolate between points that see the same and differ by less than this "
             "for the eye (0.1 is hardly seen; 0 traces all)")
         ->type_name("T");
+    command
+        ->add_option_function<std::string>(
+            "--preview-method", [&a](Text text) { a.preview_method = parse_refinement_method(text); },
+            "grid: squares whose corners agree are interpolated (default); scanline: so are spans of scan lines whose "
+            "ends agree; scanline-assumed: between ends that see the same, pixels are shaded without a search")
+        ->type_name("NAME");
     command
         ->add_option_function<std::string>(
             "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },

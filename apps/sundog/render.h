@@ -27,7 +27,8 @@ struct RenderArguments {
     std::string device = "auto";
     int threads = 0;  ///< 0: all.
     int samples = 1;
-    std::optional<float> preview;  ///< Tolerance of grid refinement, instead of tracing every pixel.
+    std::optional<float> preview;                    ///< Tolerance of refinement, instead of tracing every pixel.
+    std::optional<RefinementMethod> preview_method;  ///< If asked for; else the grid.
     float time_s = 0;
     float exposure_ev = 0;
     float frames_per_second = 25;

@@ -93,7 +93,8 @@ RenderResult picture_of(const Frame& frame, const RenderArguments& arguments, Se
         {},
         0,
         false};
-    result.stats = session.refine_into(frame, *arguments.preview, std::exp2(arguments.exposure_ev), result.film, stop);
+    result.stats = session.refine_into(frame, *arguments.preview, std::exp2(arguments.exposure_ev), result.film, stop,
+                                       arguments.preview_method.value_or(RefinementMethod::grid));
     result.stopped = !result.stats.complete;
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

@@ -120,13 +120,14 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     return result;
 }
 
-RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop) {
+RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop,
+                                 RefinementMethod method) {
     std::vector<std::uint8_t> finest;
     if (tolerance > 0 && device_->can_refine(frame)) {
         if (!thin_items_) thin_items_ = thin_items(*scene_);
         finest = finest_squares(*thin_items_, frame);
     }
-    return device_->refine(frame, {tolerance, gain, finest}, film, stop);
+    return device_->refine(frame, {tolerance, gain, finest, method}, film, stop);
 }
 
 RenderStats Session::render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,

@@ -49,10 +49,11 @@ public:
     RenderResult render_adaptive(const Frame& frame, const AdaptiveSampling& sampling, const ProgressSink& progress,
                                  const StopFlag& stop, const std::optional<PixelRect>& region = {});
 
-    /// Renders one sample a pixel by grid refinement, where the device has that (Device::can_refine), all pixels
-    /// otherwise. What is thin on the screen is found whatever the corners of squares meet (thin_items).
-    /// `tolerance` and `gain`: see RefinedWork.
-    RenderStats refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop);
+    /// Renders one sample a pixel by refinement, where the device has that (Device::can_refine), all pixels otherwise.
+    /// What is thin on the screen is found whatever the corners of squares meet (thin_items). `tolerance`, `gain` and
+    /// `method`: see RefinedWork.
+    RenderStats refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop,
+                            RefinementMethod method = RefinementMethod::grid);
 
     /// Renders samples [first, first+count) of `film`'s region into it; the viewer's way.
     RenderStats render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,

@@ -38,6 +38,8 @@ TEST(Usage, WrongCallsEndWith2AndSayWhatIsRight) {
         {{"render", scene, "-o", "a.png", "--show", "cost", "--accel", "embree"}, "Embree hides its own"},
         {{"render", scene, "-o", "a.png", "--show", "costs", "--accel", "bvh"}, "did you mean 'cost'"},
         {{"render", scene, "-o", "a.mp4", "--show", "cost", "--accel", "bvh", "--frames", "0..2"}, "one picture"},
+        {{"render", scene, "-o", "a.png", "--preview-method", "scanline"}, "add --preview 0.1"},
+        {{"bench", "--preview-method", "scanline"}, "belongs to --refine"},
         {{"render", scene, "-o", "a.png", "--show", "rays"}, "add --preview 0.1"},
         {{"render", scene, "--pixel", "1,1", "--show", "rays", "--preview", "0.1"}, "leave --pixel out"},
         {{"bench", "--accel", "--scene", "treee"}, "did you mean 'tree'"},
@@ -91,6 +93,7 @@ TEST(Usage, OptionsOutOfRangeSayTheRange) {
           {"--device", {"xyz"}, "auto, cpu or gpu"},
           {"--spp", {"0", "65537", "-1", "1.5", "99999999999"}, "a whole number from 1 to 65536"},
           {"--preview", {"-0.01", "1.01", "nan", "inf", "x"}, "a number from 0 to 1"},
+          {"--preview-method", {"xyz"}, "grid, scanline or scanline-assumed"},
           {"--show", {"xyz"}, "cost or rays"},
           {"--shadows", {"maybe"}, "on or off"},
           {"--time", {"1e7", "nan"}, "a number from -1000000 to 1000000"},
@@ -105,6 +108,7 @@ TEST(Usage, OptionsOutOfRangeSayTheRange) {
           {"--device", {"xyz", "auto"}, "cpu or gpu"},
           {"--rounds", {"0", "1001"}, "a whole number from 1 to 1000"},
           {"--refine", {"-0.1", "1.1"}, "a number from 0 to 1"},
+          {"--preview-method", {"xyz"}, "grid, scanline or scanline-assumed"},
           {"--scene", {"xyz"}, "table, cornell"}}}};
     const TemporaryFolder folder;
     for (const Command& command : commands)
