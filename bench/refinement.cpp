@@ -68,7 +68,7 @@ void run_refinement(const RefinementOptions& options, const std::function<void(c
                 });
                 const double fewer_s = seconds_of([&] {
                     fewer = session.refine_into(make_frame(scene, *compiled, frame_options), options.tolerance, 1,
-                                                refined, stop);
+                                                refined, stop, options.method);
                 });
                 if (number < 0 || !full.complete || !fewer.complete) continue;  // the first warms caches and threads
                 traced_s.push_back(full_s);

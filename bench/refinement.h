@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sundog bench --refine`: grid refinement against tracing every pixel, on the gallery in motion.
+// `sundog bench --refine`: refinement against tracing every pixel, on the gallery in motion.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "device/device.h"
 
 namespace sundog::bench {
 
@@ -18,6 +19,7 @@ struct RefinementOptions {
     int threads = 2;
     int frames = 24;         ///< Of each scene at each size, spread over its first 8 seconds.
     float tolerance = 0.1F;  ///< RefinedWork::tolerance.
+    RefinementMethod method = RefinementMethod::grid;
 };
 
 /// One scene at one size.

@@ -35,7 +35,7 @@ _sundog() {
   local options="--help" files=""
   case $command in
     render)
-      options+=" --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
+      options+=" --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
       options+=" --time --frames --fps --exposure --aov --camera --pixel --quiet"
       files='@(scene|obj|conf)' ;;
     view) options+=" --size --device --threads --accel --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;

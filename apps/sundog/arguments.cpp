@@ -48,6 +48,17 @@ std::string shown(std::string_view text) {
     throw UsageError(fmt::format("{} '{}': {}", option, shown(text), expected), hint);
 }
 
+/// Names all that are valid, whether or not one is near to the word.
+[[noreturn]] void fail_choice(std::string_view option, std::string_view text,
+                              const std::vector<std::string_view>& valid) {
+    std::string expected = "expected ";
+    for (std::size_t i = 0; i < valid.size(); ++i) {
+        if (i > 0) expected += i + 1 < valid.size() ? ", " : " or ";
+        expected += valid[i];
+    }
+    fail(option, text, expected, nearest_names(text, valid).empty() ? "" : suggest(text, valid));
+}
+
 }  // namespace
 
 Size parse_size(std::string_view text) {
@@ -102,7 +113,7 @@ bool parse_switch(std::string_view option, std::string_view text) {
 std::string parse_choice(std::string_view option, std::string_view text, const std::vector<std::string_view>& valid) {
     for (const std::string_view name : valid)
         if (text == name) return std::string(name);
-    fail(option, text, "there is no such choice", suggest(text, valid));
+    fail_choice(option, text, valid);
 }
 
 AovChoice parse_aovs(std::string_view text) {
@@ -136,7 +147,7 @@ AovChoice parse_aovs(std::string_view text) {
             std::vector<std::string_view> names;
             names.reserve(std::size(kPlanes));
             for (const Plane& plane : kPlanes) names.push_back(plane.name);
-            fail("--aov", name, "there is no such plane", suggest(name, names));
+            fail_choice("--aov", name, names);
         }
         if (!halves) return choice;
         rest = halves->right;
@@ -145,6 +156,12 @@ AovChoice parse_aovs(std::string_view text) {
 
 Acceleration parse_acceleration(std::string_view text) {
     return acceleration_named(parse_choice("--accel", text, {kAccelerationNames.begin(), kAccelerationNames.end()}));
+}
+
+RefinementMethod parse_refinement_method(std::string_view text) {
+    const std::string name = parse_choice("--preview-method", text, {"grid", "scanline", "scanline-assumed"});
+    if (name == "grid") return RefinementMethod::grid;
+    return name == "scanline" ? RefinementMethod::scanline : RefinementMethod::scanline_assumed;
 }
 
 std::string parse_device(std::string_view text) { return parse_choice("--device", text, {"auto", "cpu", "gpu"}); }

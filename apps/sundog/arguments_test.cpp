@@ -83,6 +83,24 @@ TEST(Arguments, Accelerations) {
     }
 }
 
+// Catches a wrong choice, near to none of the right ones, whose message doesn't name these.
+TEST(Arguments, WrongChoicesNameTheRightOnes) {
+    const auto said = [](const auto& parse) -> std::string {
+        try {
+            parse();
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(said([] { parse_acceleration("xyz"); }),
+              "--accel 'xyz': expected embree, bvh, kdtree, octree, grid, boxes or none");
+    EXPECT_EQ(said([] { parse_switch("--shadows", "maybe"); }), "--shadows 'maybe': expected on or off");
+    EXPECT_EQ(said([] { parse_choice("--show", "x", {"cost"}); }), "--show 'x': expected cost");
+    EXPECT_EQ(said([] { parse_aovs("depth,xyz"); }),
+              "--aov 'xyz': expected depth, normal, albedo, object, samples, cost or all");
+}
+
 // Catches a message that echoes a terminal's control sequences.
 TEST(Arguments, EchoedValuesAreTamed) {
     try {

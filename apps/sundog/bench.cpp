@@ -35,12 +35,17 @@ int measure(const bench::BenchOptions& options) {
     return interrupt.flag().requested() ? kInterrupted : 0;
 }
 
-int measure_refinement(const bench::BenchOptions& options, float tolerance, const std::string& scene) {
+int measure_refinement(const bench::BenchOptions& options, float tolerance, RefinementMethod method,
+                       const std::string& scene) {
     if (!scene.empty()) parse_choice("--scene", scene, {bench::kGalleryScenes.begin(), bench::kGalleryScenes.end()});
     const InterruptGuard interrupt;
     fmt::print("{}", bench::refinement_head());
     bench::run_refinement(
-        {.gallery = options.gallery, .scene = scene, .threads = options.threads, .tolerance = tolerance},
+        {.gallery = options.gallery,
+         .scene = scene,
+         .threads = options.threads,
+         .tolerance = tolerance,
+         .method = method},
         [](const bench::RefinementTiming& timing) {
             fmt::print("{}", bench::refinement_row(timing));
             std::fflush(stdout);
@@ -111,6 +116,12 @@ void add_bench(CLI::App& program, Action& action) {
             "--refine", [tolerance](Text text) { *tolerance = parse_float("--refine", text, 0, 1); },
             "Compare grid refinement of this tolerance (see 'render --preview') with tracing every pixel instead")
         ->type_name("T");
+    const auto method = std::make_shared<std::optional<RefinementMethod>>();
+    command
+        ->add_option_function<std::string>(
+            "--preview-method", [method](Text text) { *method = parse_refinement_method(text); },
+            "With --refine: grid (default), scanline or scanline-assumed (see 'render --preview-method')")
+        ->type_name("NAME");
     const auto scene = std::make_shared<std::string>();
     const auto structures = std::make_shared<bool>(false);
     command->add_flag("--accel", *structures,
@@ -127,12 +138,14 @@ void add_bench(CLI::App& program, Action& action) {
             },
             "With --accel, --refine or --sampling: one scene of those measured")
         ->type_name("NAME");
-    command->callback([options, tolerance, scene, structures, sampling, &action] {
-        action = [options, tolerance, scene, structures, sampling] {
+    command->callback([options, tolerance, method, scene, structures, sampling, &action] {
+        action = [options, tolerance, method, scene, structures, sampling] {
             if (int{*structures} + int{tolerance->has_value()} + int{*sampling} > 1)
                 throw UsageError("--accel, --refine and --sampling are one measurement each");
+            if (*method && !*tolerance) throw UsageError("--preview-method belongs to --refine");
             if (*structures) return measure_structures(*options, *scene);
-            if (*tolerance) return measure_refinement(*options, **tolerance, *scene);
+            if (*tolerance)
+                return measure_refinement(*options, **tolerance, method->value_or(RefinementMethod::grid), *scene);
             if (*sampling) return measure_sampling(*options, *scene);
             if (!scene->empty()) throw UsageError("--scene belongs to --accel, --refine or --sampling");
             return measure(*options);

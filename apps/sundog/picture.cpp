@@ -36,6 +36,12 @@ output::Image image_of(const Film& film, float exposure_ev) {
     return image;
 }
 
+void paint_traced(const Film& film, output::Image& image) {
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            if (film.cost[film.index(film.bounds.x0 + x, film.bounds.y0 + y)] > 0) image.at(x, y) = {1, 1, 1};
+}
+
 std::vector<output::Layer> layers_of(const Film& film, const AovChoice& aovs) {
     std::vector<output::Layer> layers;
     if (aovs.planes & kernel::AOV_DEPTH) layers.push_back({"depth", {"Z"}, film.depth});

@@ -14,6 +14,9 @@ namespace sundog::app {
 /// The mean radiance times 2^exposure_ev.
 output::Image image_of(const Film& film, float exposure_ev);
 
+/// Paints the pixels white that rays were traced through: those whose cost, which the film must have, isn't 0.
+void paint_traced(const Film& film, output::Image& image);
+
 /// The planes that were asked for. Numbers of objects, primitives and materials are -1 where there is none.
 std::vector<output::Layer> layers_of(const Film& film, const AovChoice& aovs);
 

@@ -17,6 +17,21 @@ TEST(Picture, MeanTimesExposure) {
     EXPECT_EQ(image.at(1, 0), (Vec3{0, 0, 0})) << "a pixel without samples is black";
 }
 
+// Catches an overlay that paints other pixels than those with a cost, or that exposure turns gray.
+TEST(Picture, TracedPixelsAreWhite) {
+    Film film({4, 2, 6, 4}, kernel::AOV_COST);
+    film.radiance.assign(4, {0.25F, 0.25F, 0.25F, 1});
+    film.cost[film.index(5, 2)] = 3;
+    film.cost[film.index(4, 3)] = 1;
+    output::Image image = image_of(film, -1);
+    paint_traced(film, image);
+    const Vec3 dark{0.125F, 0.125F, 0.125F}, white{1, 1, 1};
+    EXPECT_EQ(image.at(0, 0), dark);
+    EXPECT_EQ(image.at(1, 0), white);
+    EXPECT_EQ(image.at(0, 1), white);
+    EXPECT_EQ(image.at(1, 1), dark);
+}
+
 // Catches layers whose values don't fill the picture, and "nothing" shown as object number 4294967295.
 TEST(Picture, Layers) {
     const AovChoice all = parse_aovs("all");

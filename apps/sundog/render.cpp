@@ -42,20 +42,25 @@ Size size_of(const Frame& frame) {
     return {static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)};
 }
 
-/// Structures are chosen for the CPU; only ours count their steps.
-void check_acceleration(RenderArguments& arguments) {
-    const bool ours = arguments.acceleration && *arguments.acceleration != Acceleration::embree;
-    if (arguments.show_cost && !ours)
+/// Only structures of ours count their steps.
+void check_shown_cost(const RenderArguments& arguments) {
+    if (!arguments.acceleration || *arguments.acceleration == Acceleration::embree)
         throw UsageError("--show cost needs to know which structure's steps are meant; Embree hides its own",
                          "add --accel bvh, kdtree, octree, grid, boxes or none");
-    if (arguments.show_cost && (arguments.frames || arguments.pixel))
+    if (arguments.frames || arguments.pixel)
         throw UsageError("--show cost makes one picture: leave --frames and --pixel out",
                          "--time says of which moment");
-    if (arguments.show_cost && arguments.sampling.way() != SamplingArguments::Way::fixed)
+    if (arguments.sampling.way() != SamplingArguments::Way::fixed)
         throw UsageError("--show cost traces every pixel as often: leave --preview, --adaptive and the like out");
-    if (arguments.show_cost && (arguments.aovs.planes != 0 || arguments.aovs.samples))
+    if (arguments.aovs.planes != 0 || arguments.aovs.samples)
         throw UsageError("--show cost makes no further layers: leave --aov out");
-    arguments.device = device_for(arguments.acceleration, arguments.device);
+}
+
+void check_shown_rays(const RenderArguments& arguments) {
+    if (!arguments.sampling.preview)
+        throw UsageError("--show rays paints those pixels white that --preview traces; without it all are traced",
+                         "add --preview 0.1");
+    if (arguments.pixel) throw UsageError("--show rays makes pictures: leave --pixel out");
 }
 
 int render(RenderArguments arguments) {
@@ -65,7 +70,9 @@ int render(RenderArguments arguments) {
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.sampling.way() == Way::recursive && arguments.aovs.planes != 0)
         throw UsageError("--adaptive-method 2 has no layers but samples");
-    check_acceleration(arguments);
+    if (arguments.shown == Shown::cost) check_shown_cost(arguments);
+    if (arguments.shown == Shown::rays) check_shown_rays(arguments);
+    arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
     // What can be known to fail is found out before the scene is read and
@@ -76,6 +83,7 @@ int render(RenderArguments arguments) {
     if (!arguments.pixel) plan = plan_output(arguments.output, arguments.format, arguments.frames, layers);
     arguments.frame.time_s = arguments.time_s;
     arguments.frame.aovs = arguments.aovs.planes | arguments.sampling.planes();
+    if (arguments.shown == Shown::rays) arguments.frame.aovs |= kernel::AOV_COST;
     arguments.frame.sampling = arguments.sampling.pixel_sampling();
 
     WarningPrinter warnings;
@@ -89,7 +97,11 @@ int render(RenderArguments arguments) {
 
     const Stage stage{scene, *compiled, session};
     if (arguments.pixel) return print_pixel(arguments, stage);
-    if (arguments.show_cost) return render_cost(arguments, plan, stage);
+    if (arguments.shown == Shown::cost) return render_cost(arguments, plan, stage);
+    if (arguments.shown == Shown::rays && !session.device().can_refine(make_frame(scene, *compiled, arguments.frame)))
+        print_note(
+            "--show rays: all is white, for every pixel is traced: grid refinement needs the CPU, and a camera without "
+            "focal blur or mesh");
     const bool one_picture = plan.target == Target::image || plan.target == Target::standard_output;
     return one_picture ? render_image(arguments, plan, stage) : render_frames(arguments, plan, stage);
 }
@@ -136,8 +148,12 @@ void add_render(CLI::App& program, Action& action) {
         ->type_name("NAME");
     command
         ->add_option_function<std::string>(
-            "--show", [&a](Text text) { a.show_cost = parse_choice("--show", text, {"cost"}) == "cost"; },
-            "cost: instead of the picture, how many steps through the structure each pixel takes")
+            "--show",
+            [&a](Text text) {
+                a.shown = parse_choice("--show", text, {"cost", "rays"}) == "cost" ? Shown::cost : Shown::rays;
+            },
+            "cost: instead of the picture, how many steps through the structure each pixel takes; rays: the pixels "
+            "that --preview traces are white")
         ->type_name("NAME");
     add_sampling_options(*command, a.sampling);
     command

@@ -13,6 +13,13 @@
 
 namespace sundog::app {
 
+/// What `--show` asks for.
+enum class Shown {
+    picture,
+    cost,  ///< Steps through the acceleration structure, instead of the picture.
+    rays   ///< The picture, with the pixels that grid refinement traced in white.
+};
+
 /// The options of `sundog render`.
 struct RenderArguments {
     std::string scene;   ///< Empty: raytracer.conf of the working folder.
@@ -28,7 +35,7 @@ struct RenderArguments {
     std::optional<Pixel> pixel;
     AovChoice aovs;
     std::optional<Acceleration> acceleration;  ///< If asked for: then on the CPU.
-    bool show_cost = false;                    ///< Steps through the structure instead of the picture.
+    Shown shown = Shown::picture;
     bool quiet = false;
     FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.
 };

@@ -51,6 +51,13 @@ double done_fraction(const Film& film, int samples) {
     return sum / (static_cast<double>(film.radiance.size()) * samples);
 }
 
+/// The picture as it is to be shown.
+output::Image shown_image(const Film& film, const RenderArguments& arguments) {
+    output::Image image = image_of(film, arguments.exposure_ev);
+    if (arguments.shown == Shown::rays) paint_traced(film, image);
+    return image;
+}
+
 /// Writes a video's or numbered images' frames in order.
 class FrameWriter {
 public:
@@ -58,7 +65,7 @@ public:
         if (plan.target == Target::video) video_.emplace(plan.file, size.width, size.height, frames_per_second);
     }
     void add(int number, const Film& film, const RenderArguments& arguments) {
-        const output::Image image = image_of(film, arguments.exposure_ev);
+        const output::Image image = shown_image(film, arguments);
         if (video_) video_->add(image);
         else write_picture(plan_, numbered_file(plan_.file, number), image, layers_of(film, arguments.aovs));
         ++written_;
@@ -114,7 +121,8 @@ PictureAndSummary picture_of(const Frame& frame, const RenderArguments& argument
             const auto start = std::chrono::steady_clock::now();
             result.film = Film({0, 0, static_cast<int>(frame.params.width), static_cast<int>(frame.params.height)},
                                frame.params.aovs);
-            result.stats = session.refine_into(frame, *sampling.preview, gain, result.film, stop);
+            result.stats = session.refine_into(frame, *sampling.preview, gain, result.film, stop,
+                                               sampling.preview_method.value_or(RefinementMethod::grid));
             result.stopped = !result.stats.complete;
             result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             break;
@@ -141,8 +149,7 @@ int render_image(const RenderArguments& arguments, const OutputPlan& plan, const
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
     const auto [result, samples] = picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
     line.clear();
-    write_picture(plan, plan.file, image_of(result.film, arguments.exposure_ev),
-                  layers_of(result.film, arguments.aovs));
+    write_picture(plan, plan.file, shown_image(result.film, arguments), layers_of(result.film, arguments.aovs));
     if (result.stopped) {
         const SamplingArguments& sampling = arguments.sampling;
         const std::string done =

@@ -114,6 +114,7 @@ AdaptiveSampling SamplingArguments::adaptive_sampling(float gain) const {
     sampling.by_object = adaptive_by_object.value_or(false);
     sampling.depth_ratio = adaptive_by_depth.value_or(false) ? kDepthRatio : 0;
     sampling.preview = preview.value_or(0.0F);
+    sampling.preview_method = preview_method.value_or(RefinementMethod::grid);
     sampling.gain = gain;
     return sampling;
 }
@@ -140,6 +141,8 @@ void SamplingArguments::check() const {
     if (!adaptive && (adaptive_method || adaptive_depth || differences))
         throw UsageError("--adaptive-method, --adaptive-depth and --adaptive-by say how --adaptive goes about it",
                          "add --adaptive 0.3");
+    if (preview_method && !preview)
+        throw UsageError("--preview-method says how --preview chooses what to trace", "add --preview 0.1");
     if (filter_radius && !pixel_filter)
         throw UsageError("--filter-radius is that of a --filter", "for example --filter gaussian");
     if (chosen == Way::to_error && (adaptive || preview))
@@ -200,6 +203,11 @@ void add_sampling_options(CLI::App& command, SamplingArguments& a) {
         "Trace fewer rays than pixels: interpolate between points that see the same and differ by less than this for "
         "the eye (0.1 is hardly seen; 0 traces all)",
         "T");
+    add(
+        "--preview-method", [&a](Text text) { a.preview_method = parse_refinement_method(text); },
+        "grid: squares whose corners agree are interpolated (default); scanline: so are spans of scan lines whose "
+        "ends agree; scanline-assumed: between ends that see the same, pixels are shaded without a search",
+        "NAME");
     add(
         "--adaptive", [&a](Text text) { a.adaptive = parse_float("--adaptive", text, 0, 3); },
         "More samples only where neighbours' red, green and blue differ by this much in sum (0.3 is POV-Ray's)", "T");

@@ -16,9 +16,10 @@ namespace sundog::app {
 /// What the options say. Which way a picture is made follows from which of them are there: see way().
 struct SamplingArguments {
     std::optional<int> samples;
-    std::optional<float> preview;               ///< Tolerance of grid refinement.
-    std::optional<std::uint32_t> pattern;       ///< SAMPLES_*
-    std::optional<std::uint32_t> pixel_filter;  ///< FILTER_*
+    std::optional<float> preview;                    ///< Tolerance of refinement.
+    std::optional<RefinementMethod> preview_method;  ///< Else the grid.
+    std::optional<std::uint32_t> pattern;            ///< SAMPLES_*
+    std::optional<std::uint32_t> pixel_filter;       ///< FILTER_*
     std::optional<float> filter_radius;
     std::optional<float> adaptive;  ///< Threshold of contrast.
     std::optional<int> adaptive_method, adaptive_depth;

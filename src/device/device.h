@@ -28,7 +28,14 @@ struct RenderWork {
     std::span<std::uint64_t> steps{};
 };
 
-/// A whole picture of one sample a pixel, of which not every pixel has to be traced (sampling/grid_refinement.h).
+/// Which pixels of a refined picture are traced, and how the others are made.
+enum class RefinementMethod {
+    grid,              ///< Squares whose corners agree are interpolated (sampling/grid_refinement.h).
+    scanline,          ///< So are spans of scan lines whose ends agree (sampling/scanline_refinement.h).
+    scanline_assumed,  ///< Between ends that see one primitive, every pixel is shaded on it without a search for it.
+};
+
+/// A whole picture of one sample a pixel, of which not every pixel has to be traced.
 struct RefinedWork {
     /// Most by which the corners of a square of 8 by 8 pixels may differ for the eye, as differences of square roots of
     /// radiance (1: black and white); 0: all pixels are traced.
@@ -37,6 +44,7 @@ struct RefinedWork {
     /// For each square of 8 by 8 pixels, row by row: the side to which it must be divided whatever its corners say (8,
     /// 4, 2 or 1); empty: none.
     std::span<const std::uint8_t> finest{};
+    RefinementMethod method = RefinementMethod::grid;
 };
 
 /// A point of the picture, in pixels from its upper left corner; pixel (x, y) reaches from there to (x + 1, y + 1).
@@ -48,8 +56,9 @@ struct PicturePlace {
 struct RenderStats {
     std::uint64_t rays = 0;         ///< Rays of all kinds: primary, secondary and shadow.
     std::uint64_t shadow_rays = 0;  ///< Of them, shadow rays.
-    std::uint64_t points = 0;       ///< Points of the picture that were traced, where pixels don't each have their own.
-    bool complete = true;           ///< False if stopped early: some pixels of the region keep their old content.
+    /// Points of the picture whose eye rays were traced, where pixels don't each have their own.
+    std::uint64_t points = 0;
+    bool complete = true;  ///< False if stopped early: some pixels of the region keep their old content.
     /// Nodes, cells and boxes that rays visited, and primitives that they were tested against; 0 where the device
     /// doesn't count them (Embree and GPUs). Rays of packets whose directions go apart may be asked, and counted,
     /// twice; not so where RenderWork::steps are counted.
@@ -87,9 +96,9 @@ public:
     virtual RenderStats render_regions(const Frame& frame, std::span<const PixelRect> regions, RenderWork work,
                                        Film& film, const StopFlag& stop);
 
-    /// True if this device has grid refinement, and for such a frame.
+    /// True if this device has refinement, and for such a frame.
     [[nodiscard]] virtual bool can_refine(const Frame&) const { return false; }
-    /// Renders the whole of `film`, which holds the whole picture, by grid refinement; where that can't be had, tracing
+    /// Renders the whole of `film`, which holds the whole picture, by refinement; where that can't be had, tracing
     /// every pixel. With AOV_COST among the film's planes, that one tells which pixels were traced: it is 0 for others;
     /// no other plane is written.
     virtual RenderStats refine(const Frame& frame, const RefinedWork& work, Film& film, const StopFlag& stop);

@@ -18,6 +18,12 @@ inline constexpr int kSquareSide = 8;
 inline constexpr int kRefinedTileSide = 64;
 inline constexpr int kSquaresAcross = kRefinedTileSide / kSquareSide;
 
+/// A primitive that the eye sees, as the tracer numbers it.
+struct SeenPrimitive {
+    std::uint32_t geometry = 0;  ///< From 1; 0: none, or none that its neighbours could be taken to see.
+    std::uint32_t primitive = 0;
+};
+
 /// What a traced point of the picture remembers (after Akimoto, Mase and Suenaga, Pixel-Selected Ray Tracing, IEEE
 /// CG&A 1991, and Bala, Dorsey and Teller, Radiance Interpolants, ACM ToG 1999).
 struct PointRecord {
@@ -37,6 +43,7 @@ struct PointRecord {
     /// The textured object that the eye sees, from 1; 0: it has no texture.
     std::uint32_t surface = 0;
     std::uint32_t rays = 0;  ///< Of all kinds, that the point took.
+    SeenPrimitive seen;
 };
 
 /// A pixel whose light is known but not its texture.
@@ -122,6 +129,20 @@ public:
             return look_alike(x, y, kStep, quality.tolerance * (static_cast<float>(kSquareSide) / kStep));
         return same_outline(x, y, kStep) && look_alike(x, y, kStep, quality.tolerance);
     }
+    /// agree() and agree_softly() for the two ends of a stretch of a scan line.
+    [[nodiscard]] bool ends_agree(int x, int y, int step, const RefinementQuality& quality) const {
+        const int a = index(x, y), b = a + step;
+        return signature_[a] != 0 && signature_[a] == signature_[b] && highlights_[a] == highlights_[b] &&
+               ends_look_alike(a, b, quality.tolerance * static_cast<float>(kSquareSide) / static_cast<float>(step));
+    }
+    [[nodiscard]] bool ends_agree_softly(int x, int y, const RefinementQuality& quality) const {
+        constexpr int kStep = 2;
+        const int a = index(x, y), b = a + kStep;
+        if (signature_[a] == 0 || signature_[b] == 0) return false;
+        if (signature_[a] == signature_[b])
+            return ends_look_alike(a, b, quality.tolerance * (static_cast<float>(kSquareSide) / kStep));
+        return outline_[a] == outline_[b] && ends_look_alike(a, b, quality.tolerance);
+    }
     /// True if the eye sees one object at all four corners.
     [[nodiscard]] bool same_outline(int x, int y, int step) const { return same(outline_, x, y, step); }
 
@@ -146,7 +167,12 @@ private:
         const int a = index(x, y), c = index(x, y + step);
         const Float4 low = least(least(seen_[a], seen_[a + step]), least(seen_[c], seen_[c + step]));
         const Float4 high = most(most(seen_[a], seen_[a + step]), most(seen_[c], seen_[c + step]));
-        const Float4 apart = high - low;
+        return none_exceeds(high - low, most_apart);
+    }
+    [[nodiscard]] bool ends_look_alike(int a, int b, float most_apart) const {
+        return none_exceeds(most(seen_[a], seen_[b]) - least(seen_[a], seen_[b]), most_apart);
+    }
+    static bool none_exceeds(Float4 apart, float most_apart) {
         // Written so that NaN isn't like anything.
         return apart[0] <= most_apart && apart[1] <= most_apart && apart[2] <= most_apart && apart[3] <= most_apart;
     }

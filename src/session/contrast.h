@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "device/film.h"
+#include "device/device.h"
 
 namespace sundog {
 
@@ -38,6 +38,7 @@ struct AdaptiveSampling {
     /// The one sample a pixel is made by grid refinement of this tolerance (RefinedWork), and so not for all of them;
     /// 0: for all. Not together with by_object or depth_ratio.
     float preview = 0;
+    RefinementMethod preview_method = RefinementMethod::grid;
     float gain = 1;  ///< As in RefinedWork.
 };
 

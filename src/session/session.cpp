@@ -99,7 +99,7 @@ RenderResult Session::render_adaptive(const Frame& frame, const AdaptiveSampling
     RenderResult result{Film(picture_of(frame, region), frame.params.aovs), {}, 0, false};
     if (sampling.preview > 0) {
         const Clock::time_point first_pass = Clock::now();
-        result.stats = refine_into(frame, sampling.preview, sampling.gain, result.film, stop);
+        result.stats = refine_into(frame, sampling.preview, sampling.gain, result.film, stop, sampling.preview_method);
         result.stopped = !result.stats.complete;
         result.seconds = seconds_since(first_pass);
     } else {
@@ -156,13 +156,14 @@ ErrorDrivenResult Session::render_to_error(const Frame& frame, const ErrorTarget
     return sundog::render_to_error(*device_, frame, target, progress, stop, region);
 }
 
-RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop) {
+RenderStats Session::refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop,
+                                 RefinementMethod method) {
     std::vector<std::uint8_t> finest;
     if (tolerance > 0 && device_->can_refine(frame)) {
         if (!thin_items_) thin_items_ = thin_items(*scene_);
         finest = finest_squares(*thin_items_, frame);
     }
-    return device_->refine(frame, {tolerance, gain, finest}, film, stop);
+    return device_->refine(frame, {tolerance, gain, finest, method}, film, stop);
 }
 
 RenderStats Session::render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,

@@ -53,10 +53,11 @@ public:
     ErrorDrivenResult render_to_error(const Frame& frame, const ErrorTarget& target, const ProgressSink& progress,
                                       const StopFlag& stop, const std::optional<PixelRect>& region = {});
 
-    /// Renders one sample a pixel by grid refinement, where the device has that (Device::can_refine), all pixels
-    /// otherwise. What is thin on the screen is found whatever the corners of squares meet (thin_items).
-    /// `tolerance` and `gain`: see RefinedWork.
-    RenderStats refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop);
+    /// Renders one sample a pixel by refinement, where the device has that (Device::can_refine), all pixels otherwise.
+    /// What is thin on the screen is found whatever the corners of squares meet (thin_items). `tolerance`, `gain` and
+    /// `method`: see RefinedWork.
+    RenderStats refine_into(const Frame& frame, float tolerance, float gain, Film& film, const StopFlag& stop,
+                            RefinementMethod method = RefinementMethod::grid);
 
     /// Renders samples [first, first+count) of `film`'s region into it; the viewer's way.
     RenderStats render_into(const Frame& frame, std::uint32_t first_sample, std::uint32_t count, Film& film,

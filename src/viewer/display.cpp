@@ -74,6 +74,11 @@ void to_display(const Film& film, float exposure_ev, std::span<std::uint32_t> ar
     });
 }
 
+void paint_traced(const Film& film, std::span<std::uint32_t> argb) {
+    for (std::size_t i = 0; i < argb.size(); ++i)
+        if (film.cost[i] > 0) argb[i] = 0xffffffffU;
+}
+
 output::Image to_image(const Film& film, float exposure_ev) {
     const float gain = std::exp2(exposure_ev);
     output::Image image(film.bounds.width(), film.bounds.height());

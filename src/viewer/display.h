@@ -15,6 +15,9 @@ namespace sundog::viewer {
 /// NaN are black. Runs on all cores.
 void to_display(const Film& film, float exposure_ev, std::span<std::uint32_t> argb);
 
+/// Paints the pixels white that rays were traced through: those whose cost, which the film must have, isn't 0.
+void paint_traced(const Film& film, std::span<std::uint32_t> argb);
+
 /// The same picture as linear RGB, for writing to a file.
 output::Image to_image(const Film& film, float exposure_ev);
 

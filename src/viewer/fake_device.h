@@ -25,7 +25,7 @@ struct FakeDeviceControl {
     std::atomic<bool> refines{false};  ///< can_refine() says so; refine() renders all the same.
 };
 
-/// Sample s of a pixel is (eye.x, s, 0), of object 7.
+/// Sample s of a pixel is (eye.x, s, 0), of object 7; pixels of odd columns cost a ray.
 class FakeDevice : public Device {
 public:
     FakeDevice(std::string kind, std::shared_ptr<FakeDeviceControl> control)
@@ -49,6 +49,7 @@ public:
                 sum[1] += static_cast<float>(work.first_sample);
                 sum[3] += 1;
                 if (film.aovs & kernel::AOV_OBJECT) film.object[film.index(x, y)] = 7;
+                if (film.aovs & kernel::AOV_COST) film.cost[film.index(x, y)] = static_cast<float>(x % 2);
             }
         }
         while (full && control_->endless && !stop.requested()) {

@@ -131,6 +131,9 @@ void InputReader::press_key(const SDL_KeyboardEvent& event, Input& input) const 
         case SDLK_p:
             if (first) input.pick_at = mouse_;
             break;
+        case SDLK_r:
+            input.toggle_rays ^= first && !ctrl;
+            break;
         case SDLK_s:
             if (ctrl && first) input.save = true;
             break;

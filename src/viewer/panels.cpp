@@ -109,6 +109,9 @@ void main_panel(const Status& status, Controls& controls) {
     tooltip("Each step doubles the light; right click: 0");
     bool shadows = controls.shadows.value_or(status.scene_shadows);
     if (ImGui::Checkbox("Shadows", &shadows)) controls.shadows = shadows;
+    ImGui::SameLine();
+    ImGui::Checkbox("Rays", &controls.show_rays);
+    tooltip("Traced pixels white, where the CPU interpolates the others (R)");
     ImGui::PopItemWidth();
     if (!status.warnings.empty()) {
         ImGui::SameLine();
@@ -252,6 +255,7 @@ void help_overlay() {
                                    Line{"Space", "play, pause"},
                                    Line{"Left, Right", "a frame (1/25 s) back, on"},
                                    Line{"Ctrl + click or P", "what is at this pixel"},
+                                   Line{"R", "traced pixels white"},
                                    Line{"Ctrl + S", "save the picture"},
                                    Line{"Tab", "hide or show the panels"},
                                    Line{"F11", "full screen"},

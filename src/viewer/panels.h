@@ -26,6 +26,7 @@ struct Controls {
     std::optional<int> max_depth;  ///< Where not set, the scene's.
     std::optional<bool> shadows;
     float exposure_ev = 0;
+    bool show_rays = false;  ///< Where the picture is interpolated, what is traced is white.
     bool show_panels = true;
     bool show_help = false;
     bool copied = false;  ///< Set when the user copied the command line; the caller says so and clears it.

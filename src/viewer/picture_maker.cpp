@@ -31,8 +31,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 bool same_radiance(const ViewRequest& a, const ViewRequest& b) {
     const FrameOptions& p = a.options;
     const FrameOptions& q = b.options;
-    return a.scene == b.scene && a.device == b.device && p.width == q.width && p.height == q.height &&
-           p.time_s == q.time_s && p.max_depth == q.max_depth && p.min_weight == q.min_weight &&
+    return a.scene == b.scene && a.device == b.device && a.show_rays == b.show_rays && p.width == q.width &&
+           p.height == q.height && p.time_s == q.time_s && p.max_depth == q.max_depth && p.min_weight == q.min_weight &&
            p.shadows == q.shadows && p.far_z == q.far_z && same(p.camera, q.camera);
 }
 
@@ -58,11 +58,13 @@ std::optional<DeviceInfo> PictureMaker::set_request(ViewRequest request) {
 bool PictureMaker::render_quickly(const StopFlag& stop) {
     const PixelSize size = budget_.size_for(full_size());
     const PixelRect bounds{0, 0, size.width, size.height};
-    if (film_.bounds != bounds) film_ = Film(bounds);
     const auto begin = std::chrono::steady_clock::now();
-    const Frame frame = frame_of(size);
-    const bool can_refine = session_->device().can_refine(frame);
-    const bool refines = can_refine && faster_way_.refine_next();
+    Frame frame = frame_of(size);
+    refinable_ = session_->device().can_refine(frame);
+    // To be seen, rays have to be fewer than pixels even where that takes longer.
+    const bool refines = refinable_ && (request_.show_rays || faster_way_.refine_next());
+    frame.params.aovs = refines ? refined_aovs() : 0;
+    if (film_.bounds != bounds || film_.aovs != frame.params.aovs) film_ = Film(bounds, frame.params.aovs);
     film_is_current_ = false;
     film_is_traced_ = !refines;
     last_pass_ = refines ? session_->refine_into(frame, kMovingTolerance, std::exp2(request_.exposure_ev), film_, stop)
@@ -72,13 +74,17 @@ bool PictureMaker::render_quickly(const StopFlag& stop) {
     budget_.report(size, last_pass_s_);
     const auto pixels = static_cast<double>(size.pixels());
     if (refines) faster_way_.report_refined(last_pass_s_ / pixels, static_cast<double>(last_pass_.points) / pixels);
-    else if (can_refine) faster_way_.report_traced(last_pass_s_ / pixels);
+    else if (refinable_) faster_way_.report_traced(last_pass_s_ / pixels);
     samples_ = 1;
     film_is_current_ = true;
     return true;
 }
 
 bool PictureMaker::refine(const StopFlag& stop) {
+    return request_.show_rays && refinable_ ? show_rays_at_full_size(stop) : trace_sample(stop);
+}
+
+bool PictureMaker::trace_sample(const StopFlag& stop) {
     const auto begin = std::chrono::steady_clock::now();
     const Frame frame = frame_of(full_size());
     if (holds_full_size()) {
@@ -103,13 +109,32 @@ bool PictureMaker::refine(const StopFlag& stop) {
     return true;
 }
 
-bool PictureMaker::can_refine() const { return ready() && (!holds_full_size() || samples_ < max_samples_); }
+bool PictureMaker::show_rays_at_full_size(const StopFlag& stop) {
+    const auto begin = std::chrono::steady_clock::now();
+    Film film(PixelRect{0, 0, full_size().width, full_size().height}, refined_aovs());
+    const RenderStats stats = session_->refine_into(frame_of(full_size(), refined_aovs()), kMovingTolerance,
+                                                    std::exp2(request_.exposure_ev), film, stop);
+    if (!stats.complete) return false;
+    last_pass_ = stats;
+    last_pass_s_ = seconds_since(begin);
+    film_ = std::move(film);
+    samples_ = 1;
+    film_is_current_ = true;
+    film_is_traced_ = false;
+    return true;
+}
+
+bool PictureMaker::can_refine() const {
+    if (!ready()) return false;
+    if (request_.show_rays && refinable_) return !holds_rays_at_full_size();
+    return !holds_full_size() || samples_ < max_samples_;
+}
 
 PixelInfo PictureMaker::pick(int x, int y) { return session_->pick(frame_of(full_size()), x, y); }
 
 std::optional<output::Image> PictureMaker::full_image(const StopFlag& stop) {
     while (!holds_full_size() || samples_ < std::min(kFewestSamplesSaved, max_samples_))
-        if (!refine(stop)) return std::nullopt;
+        if (!trace_sample(stop)) return std::nullopt;
     return to_image(film_, request_.exposure_ev);
 }
 
@@ -117,6 +142,7 @@ void PictureMaker::show(Picture& picture) const {
     picture.size = {film_.bounds.width(), film_.bounds.height()};
     picture.argb.resize(film_.radiance.size());
     to_display(film_, request_.exposure_ev, picture.argb);
+    if ((film_.aovs & kernel::AOV_COST) != 0) paint_traced(film_, picture.argb);
     picture.time_s = request_.options.time_s;
     picture.samples = samples_;
     picture.seconds = last_pass_s_;
@@ -125,15 +151,22 @@ void PictureMaker::show(Picture& picture) const {
 
 PixelSize PictureMaker::full_size() const { return {request_.options.width.value(), request_.options.height.value()}; }
 
-Frame PictureMaker::frame_of(PixelSize size) const {
+Frame PictureMaker::frame_of(PixelSize size, std::uint32_t aovs) const {
     FrameOptions options = request_.options;
     options.width = size.width;
     options.height = size.height;
+    options.aovs = aovs;
     return make_frame(loaded_->scene, *loaded_->compiled, options);
 }
 
-bool PictureMaker::holds_full_size() const {
-    return film_is_current_ && film_is_traced_ && PixelSize{film_.bounds.width(), film_.bounds.height()} == full_size();
+bool PictureMaker::fills_the_window() const {
+    return film_is_current_ && PixelSize{film_.bounds.width(), film_.bounds.height()} == full_size();
+}
+
+bool PictureMaker::holds_full_size() const { return fills_the_window() && film_is_traced_; }
+
+bool PictureMaker::holds_rays_at_full_size() const {
+    return fills_the_window() && (film_.aovs & kernel::AOV_COST) != 0;
 }
 
 }  // namespace sundog::viewer

@@ -25,9 +25,10 @@ struct ViewRequest {
     std::string device;    ///< As open_device() takes it.
     FrameOptions options;  ///< At the window's full size: width, height and camera must be set.
     float exposure_ev = 0;
+    bool show_rays = false;  ///< Paint the pixels white that grid refinement traces.
 };
 
-/// True where both ask for the same radiance (exposure aside).
+/// True where both ask for the same picture, exposure aside.
 bool same_radiance(const ViewRequest& a, const ViewRequest& b);
 
 /// A picture, ready for the screen.
@@ -61,21 +62,28 @@ public:
 
     /// A whole picture of one sample, as large as the budget allows. False if it was stopped.
     bool render_quickly(const StopFlag& stop);
-    /// The next sample at full size. False if it was stopped; what was there before then still shows.
+    /// The next sample at full size, or, where rays are to be shown, the picture with these at full size. False if it
+    /// was stopped; what was there before then still shows.
     bool refine(const StopFlag& stop);
-    /// False once the full-size picture has all its samples.
+    /// False once the full-size picture has all its samples, or shows rays.
     [[nodiscard]] bool can_refine() const;
     /// Traces one pixel of the full-size picture.
     PixelInfo pick(int x, int y);
-    /// The picture at full size, with at least a few samples; none if it was stopped.
+    /// The picture at full size, with at least a few samples, without rays; none if it was stopped.
     std::optional<output::Image> full_image(const StopFlag& stop);
     /// What has been rendered, for the screen.
     void show(Picture& picture) const;
 
 private:
     [[nodiscard]] PixelSize full_size() const;
-    [[nodiscard]] Frame frame_of(PixelSize size) const;
+    [[nodiscard]] Frame frame_of(PixelSize size, std::uint32_t aovs = 0) const;
+    bool trace_sample(const StopFlag& stop);
+    bool show_rays_at_full_size(const StopFlag& stop);
     [[nodiscard]] bool holds_full_size() const;
+    [[nodiscard]] bool holds_rays_at_full_size() const;
+    [[nodiscard]] bool fills_the_window() const;
+    /// Planes of a picture that is made by grid refinement.
+    [[nodiscard]] std::uint32_t refined_aovs() const { return request_.show_rays ? kernel::AOV_COST : 0U; }
 
     DeviceOpener open_device_;
     std::uint32_t max_samples_;
@@ -88,6 +96,7 @@ private:
     Film film_{PixelRect{}};
     bool film_is_current_ = false;  // film_ shows request_
     bool film_is_traced_ = false;   // in all its pixels: nothing is interpolated
+    bool refinable_ = false;        // the device has grid refinement for request_
     std::uint32_t samples_ = 0;
     RenderStats last_pass_;
     double last_pass_s_ = 0;

@@ -89,6 +89,48 @@ TEST_F(PictureMakerTest, AnInterpolatedPictureIsTracedAnew) {
     EXPECT_EQ(maker_.samples(), 2U);
 }
 
+// Catches rays that aren't shown, that vanish at rest, stay in a saved picture or when they are no longer asked for.
+TEST_F(PictureMakerTest, ShowsRaysInMotionAndAtRest) {
+    control_->refines = true;
+    ViewRequest request = fake_request(scene_, 0.5F, kLarge);
+    request.show_rays = true;
+    maker_.set_request(request);
+    const auto expect_rays = [&](bool wanted) {
+        const Picture picture = shown();
+        EXPECT_NE(picture.argb[0], 0xffffffffU);
+        EXPECT_EQ(picture.argb[1] == 0xffffffffU, wanted);
+    };
+    maker_.render_quickly(stop_);
+    ASSERT_LT(shown().size.width, 1280);
+    expect_rays(true);
+    for (int again = 0; again < 2; ++again) {
+        ASSERT_TRUE(maker_.can_refine());
+        ASSERT_TRUE(maker_.refine(stop_));
+        EXPECT_EQ(shown().size, kLarge);
+        expect_rays(true);
+        EXPECT_FALSE(maker_.can_refine());
+        EXPECT_FLOAT_EQ(maker_.full_image(stop_).value().at(1, 0).x, 0.5F);
+    }
+    request.show_rays = false;
+    EXPECT_FALSE(same_radiance(request, maker_.request()));
+    maker_.set_request(request);
+    maker_.render_quickly(stop_);
+    expect_rays(false);
+    ASSERT_TRUE(maker_.refine(stop_));
+    expect_rays(false);
+}
+
+// Catches rays that are shown where every pixel is one: all would be white.
+TEST_F(PictureMakerTest, ShowsNoRaysWhereAllIsTraced) {
+    ViewRequest request = fake_request(scene_, 0.5F);
+    request.show_rays = true;
+    maker_.set_request(request);
+    maker_.render_quickly(stop_);
+    EXPECT_NE(shown().argb[1], 0xffffffffU);
+    while (maker_.can_refine()) ASSERT_TRUE(maker_.refine(stop_));
+    EXPECT_EQ(maker_.samples(), kMaxSamples);
+}
+
 // Catches a change of exposure that throws the samples away.
 TEST_F(PictureMakerTest, ExposureKeepsTheSamples) {
     maker_.set_request(fake_request(scene_, 0.5F));

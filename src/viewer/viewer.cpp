@@ -179,6 +179,7 @@ void Viewer::apply(const Input& input, double passed_s) {
     }
     controls_.show_help ^= input.toggle_help;
     controls_.show_panels ^= input.toggle_panels;
+    controls_.show_rays ^= input.toggle_rays;
     if (input.toggle_fullscreen) window_.toggle_fullscreen();
     if (input.go_home) camera_.go_home();
 
@@ -224,7 +225,7 @@ void Viewer::submit() {
 
     const PixelSize size = window_.size_px();
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    ViewRequest request{scene_, controls_.device, {}, controls_.exposure_ev};
+    ViewRequest request{scene_, controls_.device, {}, controls_.exposure_ev, controls_.show_rays};
     FrameOptions& frame = request.options;
     frame.width = size.width;
     frame.height = size.height;

@@ -2,6 +2,7 @@
 // Drives the real window on a virtual screen and looks at what it shows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <functional>
@@ -216,6 +217,26 @@ TEST_F(WindowTest, PicksAPixel) {
     const Screenshot before = corner();
     screen_->act({"mousemove", "250", "260", "keydown", "ctrl", "click", "1", "keyup", "ctrl"});
     EXPECT_TRUE(becomes([&] { return difference(corner(), before, 20) > 0.3; }));
+}
+
+// Catches a key that doesn't show where rays went, or leaves them there.
+TEST_F(WindowTest, PaintsTracedPixelsWhite) {
+    open(kStill);
+    settled();
+    const auto white = [&] {
+        const Screenshot shot = picture();
+        return std::count_if(shot.pixels.begin(), shot.pixels.end(),
+                             [](std::uint32_t pixel) { return (pixel & 0xffffffU) == 0xffffffU; });
+    };
+    const auto before = white();  // the mouse pointer's
+    EXPECT_LT(before, 50);
+    press("r");
+    EXPECT_TRUE(becomes([&] { return white() > before + 100; }));
+    const Screenshot painted = settled();
+    EXPECT_GT(white(), before + 100) << "they vanish at rest";
+    EXPECT_LT(white(), static_cast<std::ptrdiff_t>(painted.pixels.size()) / 2);
+    press("r");
+    EXPECT_TRUE(becomes([&] { return white() == before; }));
 }
 
 // Catches a save that writes nothing, overwrites, writes another picture than the one shown, or moves the camera.

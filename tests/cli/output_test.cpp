@@ -54,6 +54,36 @@ TEST(Output, SameBitsForAnyNumberOfThreads) {
     EXPECT_TRUE(one == read_bytes(folder / "5.exr"));
 }
 
+// Catches an overlay that isn't there, covers what is interpolated, or depends on threads; and frames without it.
+TEST(Output, ShowsWhereRaysWent) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> preview = {"render",   table_scene(), "--size",    "160x120",
+                                              "--device", "cpu",         "--preview", "0.1"};
+    const auto render_to = [&](const std::string& name, std::initializer_list<std::string> more) {
+        const Outcome outcome = run(with(with(preview, {"-o", (folder / name).string()}), more));
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+    };
+    render_to("plain.ppm", {});
+    render_to("rays.ppm", {"--show", "rays"});
+    render_to("one.ppm", {"--show", "rays", "--threads", "1"});
+    render_to("frames.ppm", {"--show", "rays", "--frames", "0..1"});
+    const std::string plain = read_bytes(folder / "plain.ppm"), rays = read_bytes(folder / "rays.ppm");
+    EXPECT_TRUE(rays == read_bytes(folder / "one.ppm"));
+    EXPECT_TRUE(rays == read_bytes(folder / "frames-0000.ppm"));
+    ASSERT_EQ(plain.size(), rays.size());
+    constexpr std::size_t kBytes = std::size_t{3} * 160 * 120;
+    ASSERT_GT(plain.size(), kBytes);
+    std::size_t painted = 0;
+    for (std::size_t i = plain.size() - kBytes; i < plain.size(); i += 3) {
+        const std::string_view was = std::string_view(plain).substr(i, 3), is = std::string_view(rays).substr(i, 3);
+        if (is == was) continue;
+        EXPECT_EQ(is, "\xff\xff\xff");
+        ++painted;
+    }
+    EXPECT_GT(painted, 160U * 120 / 64);
+    EXPECT_LT(painted, 160U * 120 / 2);
+}
+
 // Catches heat maps of steps that depend on threads, on which pixels share a packet, or on nothing at all.
 TEST(Output, CostPicturesAreTheSameForAnyNumberOfThreads) {
     const TemporaryFolder folder;

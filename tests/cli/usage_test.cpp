@@ -60,6 +60,10 @@ TEST(Usage, WrongCallsEndWith2AndSayWhatIsRight) {
         {{"render", scene, "-o", "a.png", "--target-error", "0.1", "--spp", "8"}, "needs 16 samples"},
         {{"render", scene, "-o", "a.png", "--target-error", "0.1", "--adaptive", "0.3"}, "leave --adaptive"},
         {{"render", scene, "-o", "a.png", "--time-limit", "0"}, "from 0.01 to 1000000"},
+        {{"render", scene, "-o", "a.png", "--preview-method", "scanline"}, "add --preview 0.1"},
+        {{"bench", "--preview-method", "scanline"}, "belongs to --refine"},
+        {{"render", scene, "-o", "a.png", "--show", "rays"}, "add --preview 0.1"},
+        {{"render", scene, "--pixel", "1,1", "--show", "rays", "--preview", "0.1"}, "leave --pixel out"},
         {{"bench", "--accel", "--scene", "treee"}, "did you mean 'tree'"},
         {{"bench", "--sampling", "--accel"}, "one measurement each"},
         {{"bench", "--sampling", "--scene", "tree"}, "--scene"},
@@ -81,6 +85,67 @@ TEST(Usage, WrongCallsEndWith2AndSayWhatIsRight) {
         EXPECT_TRUE(outcome.err.starts_with("sundog: error: ")) << outcome.err;
         EXPECT_EQ(outcome.out, "");
     }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "a wrong call leaves no file";
+}
+
+// Catches options of sampling and acceleration that take what lies outside of their range, or refuse it without saying
+// what the range is.
+TEST(Usage, OptionsOutOfRangeSayTheRange) {
+    struct Option {
+        std::string name;
+        std::vector<std::string> bad;
+        std::string range;
+    };
+    const std::string structures = "embree, bvh, kdtree, octree, grid, boxes or none";
+    const Option size{"--size", {"0x480", "640x65536", "640", "x"}, "whole numbers from 1 to 65535"};
+    const Option threads{"--threads", {"-1", "1025", "2.5", "many"}, "a whole number from 0 to 1024"};
+    const Option accel{"--accel", {"xyz", "-1"}, structures};
+    const Option max_depth{"--max-depth", {"-1", "10001", "x"}, "a whole number from 0 to 10000"};
+    const Option min_weight{"--min-weight", {"-0.1", "1.1", "nan"}, "a number from 0 to 1"};
+    struct Command {
+        std::vector<std::string> call;
+        std::vector<Option> options;
+    };
+    const std::string scene = table_scene();
+    const std::vector<Command> commands{
+        {{"render", scene, "-o", "a.png"},
+         {size,
+          threads,
+          accel,
+          max_depth,
+          min_weight,
+          {"--device", {"xyz"}, "auto, cpu or gpu"},
+          {"--spp", {"0", "65537", "-1", "1.5", "99999999999"}, "a whole number from 1 to 65536"},
+          {"--preview", {"-0.01", "1.01", "nan", "inf", "x"}, "a number from 0 to 1"},
+          {"--preview-method", {"xyz"}, "grid, scanline or scanline-assumed"},
+          {"--show", {"xyz"}, "cost or rays"},
+          {"--shadows", {"maybe"}, "on or off"},
+          {"--time", {"1e7", "nan"}, "a number from -1000000 to 1000000"},
+          {"--frames", {"3..1", "0..1000000"}, "0 <= A <= B < 1000000"},
+          {"--fps", {"0", "1001"}, "a number from 0.01 to 1000"},
+          {"--exposure", {"101", "-101"}, "a number from -100 to 100"},
+          {"--aov", {"xyz"}, "depth, normal, albedo, object, samples, cost or all"},
+          {"--pixel", {"-1,0", "1"}, "counted from 0"}}},
+        {{"view", scene}, {size, threads, accel, max_depth, min_weight, {"--device", {"xyz"}, "auto, cpu or gpu"}}},
+        {{"bench"},
+         {threads,
+          {"--device", {"xyz", "auto"}, "cpu or gpu"},
+          {"--rounds", {"0", "1001"}, "a whole number from 1 to 1000"},
+          {"--refine", {"-0.1", "1.1"}, "a number from 0 to 1"},
+          {"--preview-method", {"xyz"}, "grid, scanline or scanline-assumed"},
+          {"--scene", {"xyz"}, "table, cornell"}}}};
+    const TemporaryFolder folder;
+    for (const Command& command : commands)
+        for (const Option& option : command.options)
+            for (const std::string& value : option.bad) {
+                std::vector<std::string> call = command.call;
+                call.push_back(option.name + "=" + value);
+                SCOPED_TRACE(testing::PrintToString(call));
+                const Outcome outcome = run(call, folder.path());
+                EXPECT_EQ(outcome.status, 2) << outcome.err;
+                EXPECT_NE(outcome.err.find(option.name), std::string::npos) << outcome.err;
+                EXPECT_NE(outcome.err.find(option.range), std::string::npos) << outcome.err;
+            }
     EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "a wrong call leaves no file";
 }
 

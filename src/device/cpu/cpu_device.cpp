@@ -294,8 +294,6 @@ private:
             totals.complete = false;
             return;
         }
-        std::unique_ptr<sampling::GridRefinement>& refinement = refinements_.local();
-        if (!refinement) refinement = std::make_unique<sampling::GridRefinement>();
         const std::ptrdiff_t squares_across = (film.bounds.width() + sampling::kSquareSide - 1) / sampling::kSquareSide;
         const std::ptrdiff_t first_square =
             tile.y0 / sampling::kSquareSide * squares_across + tile.x0 / sampling::kSquareSide;
@@ -307,7 +305,8 @@ private:
                                                      {work.tolerance, work.gain},
                                                      work.finest.empty() ? nullptr : work.finest.data() + first_square,
                                                      squares_across,
-                                                     *refinement,
+                                                     work.method,
+                                                     refinements_.local(),
                                                      film});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
@@ -379,7 +378,7 @@ private:
     std::unique_ptr<cpu::StructureScene> structure_;
     std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
-    tbb::enumerable_thread_specific<std::unique_ptr<sampling::GridRefinement>> refinements_;
+    tbb::enumerable_thread_specific<cpu::RefinementMemory> refinements_;
 };
 
 }  // namespace

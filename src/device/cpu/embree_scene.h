@@ -18,7 +18,8 @@ class EmbreeScene final : public Traversal {
 public:
     /// Builds over the scene, which must outlive this; `shapes` are called for its spheres and boxes. Errors:
     /// DeviceError (out of memory).
-    EmbreeScene(RTCDevice device, const RenderScene& scene, ShapeCallbacks shapes);
+    EmbreeScene(RTCDevice device, const RenderScene& scene,
+                ShapeCallbacks shapes = {intersect_shapes, occluded_by_shapes});
 
     /// Commits if anything changed.
     void update(const Frame& frame) override;

@@ -6,7 +6,7 @@
 namespace sundog::cpu {
 namespace {
 
-/// sampling::GridRefinement's tracer.
+/// The tracer of sampling::GridRefinement and ScanlineRefinement.
 class Tracer {
 public:
     explicit Tracer(const GridWork& work) : work_(work) {}
@@ -19,6 +19,13 @@ public:
             if (x < work_.region.x1 && y < work_.region.y1)
                 work_.film.cost[work_.film.index(x, y)] = static_cast<float>(records[i].rays);
         }
+    }
+    /// What is shaded without a search has no cost: rays didn't go to find what the pixel sees.
+    void shade(const sampling::TilePlace* places, int count, const sampling::SeenPrimitive* seen,
+               sampling::PointRecord* records) {
+        PointBatch some = batch(places, count);
+        some.seen = seen;
+        add(work_.trace(some, records));
     }
     void look(const sampling::TilePlace* places, int count, sampling::SurfaceLook* looks) {
         add(work_.look(batch(places, count), looks));
@@ -38,6 +45,18 @@ private:
     GridRays rays_;
 };
 
+int refine(const GridWork& work, Tracer& tracer, const sampling::TilePixels& pixels) {
+    RefinementMemory& memory = work.memory;
+    if (work.method == RefinementMethod::grid) {
+        if (!memory.grid) memory.grid = std::make_unique<sampling::GridRefinement>();
+        return memory.grid->refine(tracer, pixels, work.quality, work.finest, work.finest_stride);
+    }
+    if (!memory.scanline) memory.scanline = std::make_unique<sampling::ScanlineRefinement>();
+    return work.method == RefinementMethod::scanline
+               ? memory.scanline->refine(tracer, pixels, work.quality, work.finest, work.finest_stride)
+               : memory.scanline->shade(tracer, pixels, work.quality, work.finest, work.finest_stride);
+}
+
 }  // namespace
 
 GridRays refine_tile(const GridWork& work) {
@@ -50,7 +69,7 @@ GridRays refine_tile(const GridWork& work) {
     const sampling::TilePixels pixels{film.radiance[film.index(region.x0, region.y0)].data(),
                                       std::ptrdiff_t{4} * film.bounds.width(), region.width(), region.height()};
     Tracer tracer(work);
-    const int points = work.refinement.refine(tracer, pixels, work.quality, work.finest, work.finest_stride);
+    const int points = refine(work, tracer, pixels);
     GridRays rays = tracer.rays();
     rays.points = static_cast<std::uint64_t>(points);
     return rays;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "device/cpu/embree.h"
 #include "kernel/rays.h"
@@ -45,7 +46,19 @@ FN void store_ray(const Ray& ray, word ray_kind, RayPacket& packet) {
     lanes_of(packet.flags) = vuint{};
 }
 
+#ifdef SUNDOG_KERNEL_RECORDS
+/// What points of a picture are traced in: the scene, and, where they are taken to see something, their eye rays' hits,
+/// which the next search finds. The kernel of such units gets no other SceneView.
+struct PointView : SceneView {
+    explicit PointView(const SceneView& view) : SceneView(view) {}
+    mutable const Hit* next_hit = nullptr;
+};
+#endif
+
 inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together) {
+#ifdef SUNDOG_KERNEL_RECORDS
+    if (const Hit* known = std::exchange(static_cast<const PointView&>(scene).next_hit, nullptr)) return *known;
+#endif
     alignas(64) RayHitPacket packet;
     store_ray(ray, ray_kind, packet.ray);
     lanes_of(packet.hit.geomID) = vuint{} - 1u;

@@ -13,9 +13,11 @@ struct PointBatch {
     int x0 = 0, y0 = 0;
     const sampling::TilePlace* places = nullptr;
     int count = 0;
+    /// What their eye rays are taken to hit without a search (PointRecord::seen of others), if not null.
+    const sampling::SeenPrimitive* seen = nullptr;
 };
 
-/// Traces points.
+/// Traces points. Eye rays that hit what they were taken to hit aren't counted.
 using PointKernel = BatchRays (*)(const PointBatch& points, sampling::PointRecord* records);
 /// Looks textures up where light is known.
 using LookKernel = BatchRays (*)(const PointBatch& points, sampling::SurfaceLook* looks);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "device/cpu/assumed_hits.h"
 #include "device/cpu/packet_traversal.h"
 #include "device/cpu/point_kernel.h"
 #include "kernel/cameras/projections.h"
@@ -54,20 +55,26 @@ mask rays_through(const PointBatch& points, int begin, Ray& ray) {
 
 BatchRays trace_points(const PointBatch& points, PointRecord* records) {
     RayCounts all{word(0U), word(0U)};
+    const PointView view(points.scene);
     for (int begin = 0; begin < points.count; begin += kLanes) {
         Ray ray;
         const mask alive = rays_through(points, begin, ray);
         FirstHit first;
         PathRecord record;
         RayCounts counts{word(0U), word(0U)};
-        const StoredColor whole(recorded_radiance(points.scene, ray, alive, counts, first, record));
+        Hit known;
+        if (points.seen != nullptr) {
+            known = assumed_hits(view, points.seen + begin, points.count - begin, ray, alive, counts);
+            view.next_hit = &known;
+        }
+        const StoredColor whole(recorded_radiance(view, ray, alive, counts, first, record));
         all.rays = all.rays + counts.rays;
         all.shadow_rays = all.shadow_rays + counts.shadow_rays;
         const StoredColor rest(record.rest), shade(record.shade);
         const StoredReal beyond(record.beyond);
         const StoredWord signature(select(record.unlike != word(0U), word(0U), record.signature | word(1U)));
         const StoredWord outline(record.outline), highlights(record.highlights), surface(record.surface);
-        const StoredWord rays(counts.rays);
+        const StoredWord rays(counts.rays), geometry(first.geometry), primitive(first.primitive);
         const auto here = static_cast<std::size_t>(std::min(kLanes, points.count - begin));
         for (std::size_t lane = 0; lane < here; ++lane) {
             PointRecord& to = records[static_cast<std::size_t>(begin) + lane];
@@ -77,6 +84,7 @@ BatchRays trace_points(const PointBatch& points, PointRecord* records) {
             to.highlights = highlights.at[lane];
             to.surface = surface.at[lane];
             to.rays = rays.at[lane];
+            to.seen = seen_primitive(view, geometry.at[lane], primitive.at[lane]);
             to.light = to.surface != 0 ? rest.of(lane, beyond.at[lane]) : whole.of(lane, beyond.at[lane]);
             to.shade = to.surface != 0 ? shade.of(lane, 0) : Float4{};
         }
@@ -86,11 +94,12 @@ BatchRays trace_points(const PointBatch& points, PointRecord* records) {
 
 #ifdef SUNDOG_LOOK_KERNEL
 BatchRays look_at_points(const PointBatch& points, SurfaceLook* looks) {
+    const PointView view(points.scene);
     for (int begin = 0; begin < points.count; begin += kLanes) {
         Ray ray;
         const mask alive = rays_through(points, begin, ray);
         word numbers;
-        const real3 colors = texture_along(points.scene, ray, alive, numbers);
+        const real3 colors = texture_along(view, ray, alive, numbers);
         const auto here = static_cast<std::size_t>(std::min(kLanes, points.count - begin));
         SurfaceLook* const some = looks + begin;
         const auto lit = [&](int channel, const real& texture) {
@@ -100,7 +109,7 @@ BatchRays look_at_points(const PointBatch& points, SurfaceLook* looks) {
             return real(lanes_of(light.data())) + real(lanes_of(shade.data())) * texture;
         };
         const real3 seen(lit(0, colors.x), lit(1, colors.y), lit(2, colors.z));
-        const StoredColor whole(linear_light(points.scene, seen));
+        const StoredColor whole(linear_light(view, seen));
         const StoredWord surface(numbers);
         for (std::size_t lane = 0; lane < here; ++lane) {
             some[lane].whole = whole.of(lane, 1);
