@@ -147,6 +147,10 @@ Acceleration parse_acceleration(std::string_view text) {
     return acceleration_named(parse_choice("--accel", text, {kAccelerationNames.begin(), kAccelerationNames.end()}));
 }
 
+PrimaryHits parse_primary(std::string_view text) {
+    return primary_hits_named(parse_choice("--primary", text, {kPrimaryHitsNames.begin(), kPrimaryHitsNames.end()}));
+}
+
 std::string parse_device(std::string_view text) { return parse_choice("--device", text, {"auto", "cpu", "gpu"}); }
 
 }  // namespace sundog::app

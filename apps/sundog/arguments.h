@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "device/acceleration.h"
+#include "device/primary_hits.h"
 #include "kernel/shared.h"
 
 namespace sundog::app {
@@ -54,6 +55,9 @@ AovChoice parse_aovs(std::string_view text);
 
 /// "embree", "bvh", …: kAccelerationNames.
 Acceleration parse_acceleration(std::string_view text);
+
+/// "auto", "trace" or "raster": kPrimaryHitsNames.
+PrimaryHits parse_primary(std::string_view text);
 
 /// "cpu", "gpu" or "auto"
 std::string parse_device(std::string_view text);

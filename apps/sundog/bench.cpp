@@ -10,6 +10,7 @@
 #include "arguments.h"
 #include "bench/accel_bench.h"
 #include "bench/gallery.h"
+#include "bench/primary.h"
 #include "bench/refinement.h"
 #include "command.h"
 #include "console.h"
@@ -24,6 +25,7 @@ constexpr const char* kExamples =
     "  sundog bench\n"
     "  sundog bench --device gpu --no-load\n"
     "  sundog bench --accel\n"
+    "  sundog bench --primary\n"
     "Each round measures every contestant once, and medians count. Ctrl-C prints what is done.";
 
 int measure(const bench::BenchOptions& options) {
@@ -42,6 +44,19 @@ int measure_refinement(const bench::BenchOptions& options, float tolerance, cons
         {.gallery = options.gallery, .scene = scene, .threads = options.threads, .tolerance = tolerance},
         [](const bench::RefinementTiming& timing) {
             fmt::print("{}", bench::refinement_row(timing));
+            std::fflush(stdout);
+        },
+        interrupt.flag());
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_primary(const bench::BenchOptions& options, const std::string& scene) {
+    const InterruptGuard interrupt;
+    fmt::print("{}", bench::primary_head());
+    bench::run_primary(
+        {.gallery = options.gallery, .scene = scene, .threads = options.threads, .rounds = options.rounds},
+        [](const bench::PrimaryTiming& timing) {
+            fmt::print("{}", bench::primary_row(timing));
             std::fflush(stdout);
         },
         interrupt.flag());
@@ -100,21 +115,27 @@ void add_bench(CLI::App& program, Action& action) {
     const auto structures = std::make_shared<bool>(false);
     command->add_flag("--accel", *structures,
                       "Compare acceleration structures instead: time to build, memory, steps and rays a second");
+    const auto primary = std::make_shared<bool>(false);
+    command->add_flag("--primary", *primary,
+                      "Compare eye rays by scan conversion (see 'render --primary') with traced ones instead");
     command
         ->add_option_function<std::string>(
             "--scene",
             [scene](Text text) {
-                const std::vector<std::string> names = bench::accel_scene_names();
+                std::vector<std::string> names = bench::accel_scene_names();
+                names.emplace_back("knot");
                 *scene = parse_choice("--scene", text, {names.begin(), names.end()});
             },
-            "With --accel or --refine: one scene of those measured")
+            "With --accel, --refine or --primary: one scene of those measured")
         ->type_name("NAME");
-    command->callback([options, tolerance, scene, structures, &action] {
-        action = [options, tolerance, scene, structures] {
-            if (*structures && *tolerance) throw UsageError("--accel and --refine are two measurements");
+    command->callback([options, tolerance, scene, structures, primary, &action] {
+        action = [options, tolerance, scene, structures, primary] {
+            if (int{*structures} + int{tolerance->has_value()} + int{*primary} > 1)
+                throw UsageError("--accel, --refine and --primary are measurements of their own");
+            if (*primary) return measure_primary(*options, *scene);
             if (*structures) return measure_structures(*options, *scene);
             if (*tolerance) return measure_refinement(*options, **tolerance, *scene);
-            if (!scene->empty()) throw UsageError("--scene belongs to --accel or --refine");
+            if (!scene->empty()) throw UsageError("--scene belongs to --accel, --refine or --primary");
             return measure(*options);
         };
     });

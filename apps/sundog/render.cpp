@@ -55,6 +55,13 @@ void check_acceleration(RenderArguments& arguments) {
         throw UsageError("--show cost traces every pixel: leave --preview out");
     if (arguments.show_cost && (arguments.aovs.planes != 0 || arguments.aovs.samples))
         throw UsageError("--show cost makes no further layers: leave --aov out");
+    if (arguments.primary == PrimaryHits::raster) {
+        if (ours) throw UsageError("--primary raster goes with Embree", "leave --accel out");
+        if (arguments.preview) throw UsageError("--primary raster finds every pixel", "leave --preview out");
+        if (arguments.device == "gpu")
+            throw UsageError("--primary is for the CPU, which --device gpu doesn't use", "leave one of them out");
+        arguments.device = "cpu";
+    }
     arguments.device = device_for(arguments.acceleration, arguments.device);
 }
 
@@ -81,7 +88,7 @@ int render(RenderArguments arguments) {
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
-                                    arguments.acceleration.value_or(Acceleration::embree)));
+                                    arguments.acceleration.value_or(Acceleration::embree), arguments.primary));
     session.load(compiled);
 
     const Stage stage{scene, *compiled, session};
@@ -130,6 +137,13 @@ void add_render(CLI::App& program, Action& action) {
         ->add_option_function<std::string>(
             "--accel", [&a](Text text) { a.acceleration = parse_acceleration(text); },
             "What finds hits on the CPU: embree (default), bvh, kdtree, octree, grid, boxes or none")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--primary", [&a](Text text) { a.primary = parse_primary(text); },
+            "How the CPU finds what the eye sees: trace, raster (scan conversion, where it can be; the same picture) "
+            "or "
+            "auto (the faster of them)")
         ->type_name("NAME");
     command
         ->add_option_function<std::string>(

@@ -28,7 +28,8 @@ struct RenderArguments {
     std::optional<Pixel> pixel;
     AovChoice aovs;
     std::optional<Acceleration> acceleration;  ///< If asked for: then on the CPU.
-    bool show_cost = false;                    ///< Steps through the structure instead of the picture.
+    PrimaryHits primary = PrimaryHits::automatic;
+    bool show_cost = false;  ///< Steps through the structure instead of the picture.
     bool quiet = false;
     FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.
 };

@@ -17,6 +17,7 @@
 #include "device/cpu/grid_tile.h"
 #include "device/cpu/photons.h"
 #include "device/cpu/radiosity.h"
+#include "device/cpu/raster/frame_raster.h"
 #include "device/cpu/structure_scene.h"
 #include "device/cpu/tile_kernel.h"
 
@@ -46,7 +47,9 @@ std::string processor_name() {
 class CpuDevice final : public Device {
 public:
     explicit CpuDevice(const CpuOptions& options)
-        : acceleration_(options.acceleration), lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
+        : acceleration_(options.acceleration),
+          primary_(options.primary),
+          lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
         if (!__builtin_cpu_supports("sse4.2"))
             throw DeviceError("this processor lacks SSE4.2, which the CPU device needs");
         if (lanes_ != 4 && lanes_ != 8 && lanes_ != 16) throw DeviceError("the CPU device has 4, 8 or 16 lanes");
@@ -92,6 +95,7 @@ public:
             photons_.reset();
             embree_.reset();
             structure_.reset();
+            raster_.reset();
             scene_ = std::move(scene);
             if (acceleration_ == Acceleration::embree)
                 embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
@@ -104,8 +108,9 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            const cpu::raster::FrameRaster* const raster = prepare_raster(frame, work);
             for_each_tile(work.region, kTileSide,
-                          [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals); });
+                          [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals, raster); });
         });
         return totals.stats();
     }
@@ -135,8 +140,9 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            tbb::parallel_for(std::size_t{0}, regions.size(),
-                              [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
+            tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+                render_tile(frame, regions[i], work, film, stop, totals, nullptr);
+            });
         });
         return totals.stats();
     }
@@ -284,12 +290,13 @@ private:
     }
 
     void render_tile(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
-                     const StopFlag& stop, Totals& totals) const {
+                     const StopFlag& stop, Totals& totals, const cpu::raster::FrameRaster* raster) const {
         if (stop.requested()) {
             totals.complete = false;
             return;
         }
         if (structure_ && !work.steps.empty()) count_steps(frame, tile, work, film, totals);
+        else if (raster) render_rasterised(frame, tile, work, film, totals, *raster);
         else run_kernel(frame, tile, work, film, totals);
     }
 
@@ -311,12 +318,39 @@ private:
             }
     }
 
-    void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
-                    Totals& totals) const {
+    /// Null where the frame's eye rays are traced.
+    const cpu::raster::FrameRaster* prepare_raster(const Frame& frame, const RenderWork& work) {
+        if (primary_ == PrimaryHits::trace || !embree_ || !cpu::raster::FrameRaster::can(frame)) return nullptr;
+        // A single pixel isn't worth sorting all triangles for.
+        if (work.region.width() < kTileSide || work.region.height() < kTileSide / 2) return nullptr;
+        if (!raster_)
+            raster_ = std::make_unique<cpu::raster::FrameRaster>(*scene_, cpu::raster::raster_kernels(lanes_));
+        if (primary_ == PrimaryHits::automatic && !raster_->pays(frame)) return nullptr;
+        raster_->prepare(frame);
+        return raster_.get();
+    }
+
+    void render_rasterised(const Frame& frame, const PixelRect& tile, RenderWork work, Film& film, Totals& totals,
+                           const cpu::raster::FrameRaster& raster) const {
+        static_assert(kTileSide == cpu::raster::kTileSide);
+        RasterScratch& scratch = raster_scratch_.local();
+        if (!scratch.tile) scratch.tile = std::make_unique<cpu::raster::TileScratch>();
+        const std::uint32_t end = work.first_sample + work.sample_count;
+        for (work.sample_count = 1; work.first_sample < end; ++work.first_sample) {
+            const cpu::RasterisedTile known =
+                raster.tile(tile.x0 / kTileSide * kTileSide, tile.y0 / kTileSide * kTileSide, work.first_sample,
+                            *scratch.tile, scratch.list);
+            run_kernel(frame, tile, work, film, totals, &known);
+        }
+    }
+
+    void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film, Totals& totals,
+                    const cpu::RasterisedTile* rasterised = nullptr) const {
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
             {*scene_, frame, traversal().handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
-             radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr});
+             radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr,
+             rasterised});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -330,7 +364,14 @@ private:
         return embree_ ? static_cast<cpu::Traversal&>(*embree_) : *structure_;
     }
 
+    /// A thread's memory for rasterising.
+    struct RasterScratch {
+        std::unique_ptr<cpu::raster::TileScratch> tile;
+        std::vector<std::uint32_t> list;
+    };
+
     Acceleration acceleration_;
+    PrimaryHits primary_;
     int lanes_;
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
@@ -347,6 +388,8 @@ private:
     std::unique_ptr<cpu::StructureScene> structure_;
     std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
+    std::unique_ptr<cpu::raster::FrameRaster> raster_;  ///< Made when a frame is first rasterised.
+    mutable tbb::enumerable_thread_specific<RasterScratch> raster_scratch_;
     tbb::enumerable_thread_specific<std::unique_ptr<sampling::GridRefinement>> refinements_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
 // SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
-// nothing there), and SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
-// integrators/record.h). Everything that depends on them lives in an inline namespace of its own, so units of different
-// kinds can be linked together.
+// nothing there), SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
+// integrators/record.h), and SUNDOG_KERNEL_EYE_HITS, set where first hits may be given. Everything that depends on them
+// lives in an inline namespace of its own, so units of different kinds can be linked together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
 
@@ -62,6 +62,7 @@ namespace sundog::kernel {
 class HostFields;
 class IndirectLight;
 class PhotonLight;
+struct EyeHits;
 
 /// What the kernel sees of a RenderScene and a Frame: plain pointers to every array (kernel/arrays.h).
 struct SceneView {
@@ -73,6 +74,7 @@ struct SceneView {
     const HostFields* host_fields = nullptr;  ///< Set where some program asks (kernel/patterns/host_fields.h).
     const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
     const PhotonLight* photons = nullptr;     ///< Set where FEATURE_PHOTONS is (kernel/lights/photon_light.h).
+    const EyeHits* eye_hits = nullptr;        ///< The device's own: what is known of first hits before they are traced.
     uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 

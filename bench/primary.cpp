@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/primary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "compile/compile.h"
+#include "device/choose/choose.h"
+#include "device/cpu/raster/frame_raster.h"
+#include "gallery.h"
+#include "import/import.h"
+#include "spd/spd.h"
+
+namespace sundog::bench {
+namespace {
+
+constexpr int kSizes[][2] = {{640, 480}, {1920, 1080}};
+/// Around and along the knot.
+constexpr int kKnots[][2] = {{20, 25}, {50, 100}, {200, 250}, {500, 1000}};
+
+/// One way of finding what the eye sees.
+struct Contestant {
+    std::unique_ptr<Device> device;
+    double whole_s = 1e9, eye_s = 1e9;
+
+    Contestant(PrimaryHits how, int threads, const std::shared_ptr<const RenderScene>& scene)
+        : device(open_device("cpu", threads, Acceleration::embree, how)) {
+        device->load(scene);
+    }
+    void measure(const Frame& frame, double& least_s, Film& film, const StopFlag& stop) const {
+        const auto start = std::chrono::steady_clock::now();
+        device->render(frame, {film.bounds, 0, 1}, film, stop);
+        least_s = std::min(least_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+};
+
+void measure_scene(const std::string& name, const scene::Scene& scene, const PrimaryOptions& options, int threads,
+                   const std::function<void(const PrimaryTiming&)>& done, const StopFlag& stop) {
+    const std::shared_ptr<const RenderScene> compiled = compile(scene, {});
+    Contestant traced(PrimaryHits::trace, threads, compiled), rastered(PrimaryHits::raster, threads, compiled);
+    const cpu::raster::FrameRaster chooser(*compiled, cpu::raster::raster_kernels(4));
+    for (const auto& size : kSizes) {
+        traced.whole_s = traced.eye_s = rastered.whole_s = rastered.eye_s = 1e9;
+        Film film({0, 0, size[0], size[1]});
+        PrimaryTiming timing{.scene = name, .width = size[0], .height = size[1]};
+        // The first round warms caches and threads.
+        for (int round = -1; round < options.rounds; ++round) {
+            for (const bool whole : {true, false}) {
+                if (stop.requested()) return;
+                FrameOptions frame_options;
+                frame_options.width = size[0];
+                frame_options.height = size[1];
+                if (!whole) frame_options.shadows = false, frame_options.max_depth = 0;
+                Frame frame = make_frame(scene, *compiled, frame_options);
+                frame.params.camera.eye.x += 1e-4F * static_cast<float>(2 * round + (whole ? 1 : 0));
+                timing.chosen = cpu::raster::FrameRaster::can(frame) && chooser.pays(frame);
+                double warm_s = 1e9;
+                for (Contestant* c : {&traced, &rastered})
+                    c->measure(frame, round < 0 ? warm_s : whole ? c->whole_s : c->eye_s, film, stop);
+            }
+        }
+        timing.triangles = chooser.triangle_count();
+        timing.traced_s = traced.whole_s;
+        timing.rastered_s = rastered.whole_s;
+        timing.eye_traced_s = traced.eye_s;
+        timing.eye_rastered_s = rastered.eye_s;
+        done(timing);
+    }
+}
+
+}  // namespace
+
+void run_primary(const PrimaryOptions& options, const std::function<void(const PrimaryTiming&)>& done,
+                 const StopFlag& stop) {
+    const std::filesystem::path gallery = options.gallery.empty() ? SUNDOG_GALLERY : options.gallery;
+    const int threads =
+        options.threads > 0 ? options.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    for (const std::string name : kGalleryScenes)
+        if (options.scene.empty() || options.scene == name)
+            measure_scene(name, import::import_scene(gallery / name / (name + ".scene"), {}), options, threads, done,
+                          stop);
+    if (!options.scene.empty() && options.scene != "knot") return;
+    for (const auto& knot : kKnots)
+        if (!stop.requested()) measure_scene("knot", scanned_knot(knot[0], knot[1]), options, threads, done, stop);
+}
+
+std::string primary_head() {
+    return fmt::format("{:<9} {:>9} {:>9} | {:>9} {:>9} {:>6} | {:>9} {:>9} {:>6} | {}\n", "scene", "triangles", "size",
+                       "traced ms", "raster", "ratio", "eye alone", "raster", "ratio", "auto");
+}
+
+std::string primary_row(const PrimaryTiming& t) {
+    return fmt::format("{:<9} {:>9} {:>9} | {:>9.2f} {:>9.2f} {:>6.2f} | {:>9.2f} {:>9.2f} {:>6.2f} | {}\n", t.scene,
+                       t.triangles, fmt::format("{}x{}", t.width, t.height), t.traced_s * 1e3, t.rastered_s * 1e3,
+                       t.traced_s / t.rastered_s, t.eye_traced_s * 1e3, t.eye_rastered_s * 1e3,
+                       t.eye_traced_s / t.eye_rastered_s, t.chosen ? "raster" : "trace");
+}
+
+}  // namespace sundog::bench

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled once for each width (SUNDOG_KERNEL_LANES), under the names SUNDOG_BIN_KERNEL and SUNDOG_RASTER_KERNEL.
+#include "device/cpu/raster/raster_kernel.h"
+
+#include "device/cpu/raster/scan_triangles.h"
+
+namespace sundog::cpu::raster {
+
+void SUNDOG_BIN_KERNEL(const kernel::SceneView& scene, const EyeView& view, TriangleRun run, BinScratch& scratch,
+                       Bins& bins) {
+    bin_triangles(scene, view, run, scratch, bins);
+}
+
+void SUNDOG_RASTER_KERNEL(const TileToRaster& tile, TileScratch& scratch) {
+    TileScan scan(tile, scratch);
+    scan.scan_all();
+    scan.conclude();
+    if (tile.scene.frame.plane_count > 0) scan.ask_at_planes();
+    for (const PixelRect& rect : tile.traced) scan.ask_at(rect);
+}
+
+}  // namespace sundog::cpu::raster

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rasteriser compiled for several widths, behind two function pointers each.
+//
+// For each ray of a tile it finds the triangle that tracing would find, or says that it can't be sure. A triangle is
+// three linear functions of the picture's coordinates, positive inside its edges, and a fourth, the inverse length of
+// the way to it (Olano and Greer 1997, Triangle Scan Conversion Using 2D Homogeneous Coordinates): so nothing has to be
+// clipped where it passes the eye. Each has a bound on its rounding and on that of the traced test. Where a ray lies
+// within it of an edge, or two triangles lie within it of each other, the ray is traced.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "device/cpu/raster/eye_view.h"
+#include "device/film.h"
+#include "kernel/compat/cpp.h"
+
+namespace sundog::cpu::raster {
+
+/// Side of the squares of pixels that are rasterised at a time.
+inline constexpr int kTileSide = 32;
+inline constexpr int kTilePixels = kTileSide * kTileSide;
+
+/// Some of a scene's triangles, all in world space.
+struct TriangleRun {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// Which triangles of a run may be seen in which tile of the picture.
+struct Bins {
+    std::vector<std::uint32_t> begins;     ///< For each tile, row by row, where its triangles begin; and one end more.
+    std::vector<std::uint32_t> triangles;  ///< By tile, ascending in each.
+    std::vector<std::uint32_t> unbounded;  ///< Triangles near the plane of the eye, which may be anywhere.
+};
+
+/// Memory for bin_triangles().
+struct BinScratch {
+    struct Entry {
+        std::uint32_t triangle;
+        std::uint16_t x0, x1, y0, y1;  ///< Tiles, inclusively.
+    };
+    std::vector<Entry> entries;
+};
+
+/// Sorts a run's triangles into the tiles of the picture.
+using BinKernel = void (*)(const kernel::SceneView& scene, const EyeView& view, TriangleRun run, BinScratch& scratch,
+                           Bins& bins);
+void bin_triangles_4(const kernel::SceneView& scene, const EyeView& view, TriangleRun run, BinScratch& scratch,
+                     Bins& bins);
+void bin_triangles_8(const kernel::SceneView& scene, const EyeView& view, TriangleRun run, BinScratch& scratch,
+                     Bins& bins);
+void bin_triangles_16(const kernel::SceneView& scene, const EyeView& view, TriangleRun run, BinScratch& scratch,
+                      Bins& bins);
+
+/// Memory for rasterising one tile, in the kernel's blocks (RasterisedTile).
+struct TileScratch {
+    /// Of each pixel: the triangle that is surely met and surely before all others that surely are, if any is; the
+    /// least and the greatest that its inverse length may be; and the greatest of any other that may be met.
+    alignas(64) float low[kTilePixels], high[kTilePixels], others[kTilePixels];
+    alignas(64) std::uint32_t nearest[kTilePixels];
+};
+
+/// One tile at one sample of its pixels.
+struct TileToRaster {
+    const kernel::SceneView& scene;
+    const EyeView& view;
+    std::span<const std::uint32_t> triangles;  ///< That may be seen in it.
+    int x0 = 0, y0 = 0;                        ///< Its first pixel.
+    float sample_x = 0, sample_y = 0;          ///< Where in each pixel the ray goes.
+    std::span<const PixelRect> traced;         ///< Pixels in which something else may be seen.
+};
+
+/// Leaves in scratch.nearest what EyeHits::triangles holds.
+using TileRaster = void (*)(const TileToRaster& tile, TileScratch& scratch);
+void raster_tile_4(const TileToRaster& tile, TileScratch& scratch);
+void raster_tile_8(const TileToRaster& tile, TileScratch& scratch);
+void raster_tile_16(const TileToRaster& tile, TileScratch& scratch);
+
+}  // namespace sundog::cpu::raster
