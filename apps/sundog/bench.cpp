@@ -12,6 +12,7 @@
 #include "bench/gallery.h"
 #include "bench/primary.h"
 #include "bench/refinement.h"
+#include "bench/shadows.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
@@ -26,6 +27,7 @@ constexpr const char* kExamples =
     "  sundog bench --device gpu --no-load\n"
     "  sundog bench --accel\n"
     "  sundog bench --primary\n"
+    "  sundog bench --shadows\n"
     "Each round measures every contestant once, and medians count. Ctrl-C prints what is done.";
 
 int measure(const bench::BenchOptions& options) {
@@ -57,6 +59,19 @@ int measure_primary(const bench::BenchOptions& options, const std::string& scene
         {.gallery = options.gallery, .scene = scene, .threads = options.threads, .rounds = options.rounds},
         [](const bench::PrimaryTiming& timing) {
             fmt::print("{}", bench::primary_row(timing));
+            std::fflush(stdout);
+        },
+        interrupt.flag());
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_shadows(const bench::BenchOptions& options, const std::string& scene) {
+    const InterruptGuard interrupt;
+    fmt::print("{}", bench::shadows_head());
+    bench::run_shadows(
+        {.gallery = options.gallery, .scene = scene, .threads = options.threads, .rounds = options.rounds},
+        [](const bench::ShadowTiming& timing) {
+            fmt::print("{}", bench::shadows_row(timing));
             std::fflush(stdout);
         },
         interrupt.flag());
@@ -118,6 +133,8 @@ void add_bench(CLI::App& program, Action& action) {
     const auto primary = std::make_shared<bool>(false);
     command->add_flag("--primary", *primary,
                       "Compare eye rays by scan conversion (see 'render --primary') with traced ones instead");
+    const auto shadows = std::make_shared<bool>(false);
+    command->add_flag("--shadows", *shadows, "Compare light buffers with tracing all shadow rays instead");
     command
         ->add_option_function<std::string>(
             "--scene",
@@ -126,16 +143,17 @@ void add_bench(CLI::App& program, Action& action) {
                 names.emplace_back("knot");
                 *scene = parse_choice("--scene", text, {names.begin(), names.end()});
             },
-            "With --accel, --refine or --primary: one scene of those measured")
+            "With one of these: one scene of those measured")
         ->type_name("NAME");
-    command->callback([options, tolerance, scene, structures, primary, &action] {
-        action = [options, tolerance, scene, structures, primary] {
-            if (int{*structures} + int{tolerance->has_value()} + int{*primary} > 1)
-                throw UsageError("--accel, --refine and --primary are measurements of their own");
+    command->callback([options, tolerance, scene, structures, primary, shadows, &action] {
+        action = [options, tolerance, scene, structures, primary, shadows] {
+            if (int{*structures} + int{tolerance->has_value()} + int{*primary} + int{*shadows} > 1)
+                throw UsageError("--accel, --refine, --primary and --shadows are measurements of their own");
+            if (*shadows) return measure_shadows(*options, *scene);
             if (*primary) return measure_primary(*options, *scene);
             if (*structures) return measure_structures(*options, *scene);
             if (*tolerance) return measure_refinement(*options, **tolerance, *scene);
-            if (!scene->empty()) throw UsageError("--scene belongs to --accel, --refine or --primary");
+            if (!scene->empty()) throw UsageError("--scene belongs to --accel, --refine, --primary or --shadows");
             return measure(*options);
         };
     });

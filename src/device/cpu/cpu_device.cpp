@@ -18,6 +18,7 @@
 #include "device/cpu/photons.h"
 #include "device/cpu/radiosity.h"
 #include "device/cpu/raster/frame_raster.h"
+#include "device/cpu/raster/light_buffers.h"
 #include "device/cpu/structure_scene.h"
 #include "device/cpu/tile_kernel.h"
 
@@ -26,6 +27,9 @@ namespace {
 
 /// Side of the squares that threads take from each other, in pixels; a multiple of every block's side.
 constexpr int kTileSide = 32;
+
+/// So many regions are worth a light buffer.
+constexpr std::size_t kManyRegions = 64;
 
 int widest_lanes() {
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
@@ -49,6 +53,7 @@ public:
     explicit CpuDevice(const CpuOptions& options)
         : acceleration_(options.acceleration),
           primary_(options.primary),
+          uses_light_buffers_(options.light_buffers),
           lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
         if (!__builtin_cpu_supports("sse4.2"))
             throw DeviceError("this processor lacks SSE4.2, which the CPU device needs");
@@ -96,6 +101,7 @@ public:
             embree_.reset();
             structure_.reset();
             raster_.reset();
+            light_buffers_.reset();
             scene_ = std::move(scene);
             if (acceleration_ == Acceleration::embree)
                 embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_);
@@ -109,6 +115,7 @@ public:
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
             const cpu::raster::FrameRaster* const raster = prepare_raster(frame, work);
+            prepare_light_buffers(frame, work.region.width() >= kTileSide && work.region.height() >= kTileSide / 2);
             for_each_tile(work.region, kTileSide,
                           [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals, raster); });
         });
@@ -140,6 +147,7 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            prepare_light_buffers(frame, regions.size() >= kManyRegions);
             tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
                 render_tile(frame, regions[i], work, film, stop, totals, nullptr);
             });
@@ -330,6 +338,17 @@ private:
         return raster_.get();
     }
 
+    /// Sets light_cells_: null where all shadow rays are traced.
+    void prepare_light_buffers(const Frame& frame, bool many_pixels) {
+        light_cells_ = nullptr;
+        if (!uses_light_buffers_ || !embree_ || !many_pixels) return;
+        if (!light_buffers_)
+            light_buffers_ = std::make_unique<cpu::raster::LightBuffers>(*scene_, cpu::raster::cell_kernel(lanes_));
+        if (!light_buffers_->pays(frame)) return;
+        light_buffers_->prepare(frame);
+        light_cells_ = light_buffers_->cells();
+    }
+
     void render_rasterised(const Frame& frame, const PixelRect& tile, RenderWork work, Film& film, Totals& totals,
                            const cpu::raster::FrameRaster& raster) const {
         static_assert(kTileSide == cpu::raster::kTileSide);
@@ -350,7 +369,7 @@ private:
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
             {*scene_, frame, traversal().handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
              radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr,
-             rasterised});
+             light_cells_, rasterised});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -372,6 +391,7 @@ private:
 
     Acceleration acceleration_;
     PrimaryHits primary_;
+    bool uses_light_buffers_;
     int lanes_;
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
@@ -388,7 +408,9 @@ private:
     std::unique_ptr<cpu::StructureScene> structure_;
     std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
-    std::unique_ptr<cpu::raster::FrameRaster> raster_;  ///< Made when a frame is first rasterised.
+    std::unique_ptr<cpu::raster::FrameRaster> raster_;          ///< Made when a frame is first rasterised.
+    std::unique_ptr<cpu::raster::LightBuffers> light_buffers_;  ///< Likewise.
+    const kernel::LightCells* light_cells_ = nullptr;           ///< Of the picture under way.
     mutable tbb::enumerable_thread_specific<RasterScratch> raster_scratch_;
     tbb::enumerable_thread_specific<std::unique_ptr<sampling::GridRefinement>> refinements_;
 };

@@ -16,6 +16,7 @@ struct CpuOptions {
     int threads = 0;  ///< 0: all that the process may use.
     int lanes = 0;    ///< 4 (SSE4.2), 8 (AVX2) or 16 (AVX-512); 0: the widest this processor has.
     Acceleration acceleration = Acceleration::embree;
+    bool light_buffers = true;  ///< What lamps see is asked before shadow rays, where that is faster: the same picture.
     PrimaryHits primary = PrimaryHits::automatic;  ///< With Embree alone; structures of ours trace.
 };
 

@@ -7,6 +7,7 @@
 
 #include "device/cpu/embree.h"
 #include "device/cpu/given_hits.h"
+#include "device/cpu/light_cells.h"
 #include "kernel/rays.h"
 #include "kernel/shapes/all_planes.h"
 

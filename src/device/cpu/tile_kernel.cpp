@@ -234,6 +234,7 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     SceneView view = view_of(work.scene, work.frame, work.traversal);
     view.indirect = work.indirect;
     view.photons = work.photons;
+    view.light_cells = work.light_cells;
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);
     RayCounts counts{word(0U), word(0U)};

@@ -31,6 +31,7 @@ struct TileWork {
     std::span<const std::uint8_t> wanted{};           ///< As in RenderWork.
     const kernel::IndirectLight* indirect = nullptr;  ///< Where the frame has FEATURE_RADIOSITY.
     const kernel::PhotonLight* photons = nullptr;     ///< Where the frame has FEATURE_PHOTONS.
+    const kernel::LightCells* light_cells = nullptr;  ///< For each of the frame's lights; null: nothing is known.
     const RasterisedTile* rasterised = nullptr;       ///< What is known of the region's eye rays; null: nothing.
 };
 

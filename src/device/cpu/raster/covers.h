@@ -18,6 +18,8 @@ public:
     /// Rectangles of the picture, which hold all pixels where one of them may be seen. Planes aren't among them.
     [[nodiscard]] std::vector<PixelRect> rects(const Frame& frame, const EyeView& view) const;
 
+    [[nodiscard]] std::size_t count() const { return things_.size(); }
+
 private:
     struct Thing {
         Bounds3 bounds;

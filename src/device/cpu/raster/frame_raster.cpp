@@ -14,6 +14,10 @@ namespace {
 
 /// Triangles that are sorted together: enough to be worth a thread's while.
 constexpr std::uint32_t kRunLength = 16384;
+/// Finer meshes than one triangle in so many pixels are traced faster (docs/acceleration.md).
+constexpr std::size_t kPixelsPerTriangle = 64;
+/// More things that are traced are too many to look for in each tile.
+constexpr std::size_t kMostTraced = 64;
 
 bool same_view(const Frame& a, const Frame& b) {
     const kernel::FrameParams &p = a.params, &q = b.params;
@@ -60,7 +64,15 @@ bool FrameRaster::can(const Frame& frame) {
            frame.params.width <= 65536 && frame.params.height <= 65536;
 }
 
-bool FrameRaster::pays(const Frame&) const { return false; }
+bool FrameRaster::pays(const Frame& frame) const {
+    const std::size_t pixels = std::size_t{frame.params.width} * frame.params.height;
+    if (triangle_count_ == 0 || triangle_count_ * kPixelsPerTriangle > pixels || traced_things_.count() > kMostTraced)
+        return false;
+    std::size_t traced = 0;
+    for (const PixelRect& r : traced_things_.rects(frame, eye_view_of(frame.params)))
+        traced += static_cast<std::size_t>(r.width()) * static_cast<std::size_t>(r.height());
+    return 2 * traced < pixels;
+}
 
 void FrameRaster::prepare(const Frame& frame) {
     if (prepared_ && same_view(frame, frame_)) return;

@@ -8,6 +8,8 @@
 // within it of an edge, or two triangles lie within it of each other, the ray is traced.
 #pragma once
 
+#include <tbb/cache_aligned_allocator.h>
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -76,5 +78,31 @@ using TileRaster = void (*)(const TileToRaster& tile, TileScratch& scratch);
 void raster_tile_4(const TileToRaster& tile, TileScratch& scratch);
 void raster_tile_8(const TileToRaster& tile, TileScratch& scratch);
 void raster_tile_16(const TileToRaster& tile, TileScratch& scratch);
+
+/// Memory for scan_cells(), which it aligns by itself: as TileScratch.
+struct CellScratch {
+    template <class T>
+    using Aligned = std::vector<T, tbb::cache_aligned_allocator<T>>;
+    Aligned<float> low, high, others;
+    Aligned<std::uint32_t> nearest;
+};
+
+/// Rows [begin, end) of one side of the cube around a light.
+struct CellsToScan {
+    const kernel::SceneView& scene;
+    const EyeView& view;  ///< Through that side, of side*side pixels.
+    std::span<const TriangleRun> runs;
+    std::span<const std::uint32_t> opaque;  ///< For each triangle: LIGHT_CELL_BLOCKS or 0.
+    std::span<const PixelRect> unknown;     ///< Cells in which something else may be.
+    int side = 0, begin = 0, end = 0;
+    float nearness_end = 0;          ///< What is nearer than this, by its inverse length, may hide the light itself.
+    std::uint32_t* cells = nullptr;  ///< Of these rows; aligned to 64 bytes.
+};
+
+/// Fills in what LightCells::cells holds.
+using CellKernel = void (*)(const CellsToScan& work, CellScratch& scratch);
+void scan_cells_4(const CellsToScan& work, CellScratch& scratch);
+void scan_cells_8(const CellsToScan& work, CellScratch& scratch);
+void scan_cells_16(const CellsToScan& work, CellScratch& scratch);
 
 }  // namespace sundog::cpu::raster

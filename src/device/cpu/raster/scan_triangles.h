@@ -52,18 +52,20 @@ struct Line {
 
 /// One of them.
 struct OneTriangle {
-    OneTriangle(const StoredTriangles& t, std::size_t lane, std::uint32_t number_)
+    OneTriangle(const StoredTriangles& t, std::size_t lane, std::uint32_t number_, float highest_)
         : edges{Line(t.edges[0], lane), Line(t.edges[1], lane), Line(t.edges[2], lane)},
           rooms{t.rooms[0].at[lane], t.rooms[1].at[lane], t.rooms[2].at[lane]},
           nearness(t.nearness, lane),
           relative_room(t.relative_room.at[lane]),
           far_room(t.far_room.at[lane]),
-          number(number_) {}
+          number(number_),
+          highest(highest_) {}
     std::array<Line, 3> edges;
     std::array<float, 3> rooms;
     Line nearness;
     float relative_room, far_room;
     std::uint32_t number;
+    float highest;  ///< No nearness of it is greater.
 };
 
 /// Blocks of the tile, inclusively.
@@ -178,12 +180,15 @@ private:
         const word by0 = word_from_real(clamp(y0, zero, last)), by1 = word_from_real(clamp(y1, zero, last));
         const vint is_any = lane_ints(any), is_edge_on = lane_ints(f.edge_on), is_huge = lane_ints(huge);
         const StoredTriangles stored(f);
+        const StoredLanes highest(
+            select(bounded, b.inverse * (1.0F + kRounding) * (1.0F + f.relative_room) + f.far_room, real(INFINITY)));
         for (int lane = 0; lane < count; ++lane) {
             if (is_any[lane] == 0) continue;
             const auto side = [&](const word& pixel, int block) { return static_cast<int>(pixel.v[lane]) / block; };
             const BlockRange range{side(bx0, kBlockWidth), side(bx1, kBlockWidth), side(by0, kBlockHeight),
                                    side(by1, kBlockHeight)};
-            const OneTriangle triangle(stored, static_cast<std::size_t>(lane), number.v[lane]);
+            const OneTriangle triangle(stored, static_cast<std::size_t>(lane), number.v[lane],
+                                       highest.at[static_cast<std::size_t>(lane)]);
             if (is_huge[lane] != 0) give_up(range);
             else if (is_edge_on[lane] != 0) scan_edge_on(triangle, range);
             else if ((range.x1 - range.x0 + 1) * (range.y1 - range.y0 + 1) <= 4) scan_small(triangle, range);
@@ -224,8 +229,11 @@ private:
 
     template <bool covered>
     [[gnu::always_inline]] void scan_block(const OneTriangle& triangle, int block) {
-        const real px = pixel_x(block), py = pixel_y(block);
         const int at = block * kLanes;
+        const real low_before(lanes_at(scratch_.low + at));
+        // Behind what all of the block's rays surely meet: nothing changes.
+        if (all_lanes(low_before > real(triangle.highest))) return;
+        const real px = pixel_x(block), py = pixel_y(block);
         mask possible = mask(true), sure = mask(true);
         if constexpr (!covered) {
             for (std::size_t i = 0; i < 3; ++i) {
@@ -239,7 +247,7 @@ private:
         const real room = abs(nearness) * triangle.relative_room + triangle.far_room;
         const real low = nearness - room, high = nearness + room;
         possible = mask_and(possible, high > real(tile_.view.end_low));
-        const real low_before(lanes_at(scratch_.low + at)), high_before(lanes_at(scratch_.high + at));
+        const real high_before(lanes_at(scratch_.high + at));
         const real others(lanes_at(scratch_.others + at));
         const mask nearer = mask_and(mask_and(possible, sure), low > low_before);
         const real behind = select(nearer, high_before, select(possible, high, others));

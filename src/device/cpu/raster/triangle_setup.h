@@ -30,6 +30,7 @@ FN real least(real a, real b, real c) { return min(min(a, b), c); }
 /// Rectangles around triangles, in pixels, with room for rounding.
 struct ScreenBounds {
     real x0, x1, y0, y1;
+    real inverse;  ///< Of the length of the way to the nearest corner, if bounded.
     mask seen;     ///< Not beside or behind what the picture shows.
     mask bounded;  ///< Not near the plane of the eye; else the rectangle says nothing.
 };
@@ -71,7 +72,7 @@ FN ScreenBounds screen_bounds(const EyeView& view, const Corners& c, mask alive)
     // rounding in those units.
     const real side = b.x1 - b.x0 + (b.y1 - b.y0);
     const real area = abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0));
-    const real inverse = greatest(i0, i1, i2);
+    const real inverse = b.inverse = greatest(i0, i1, i2);
     const real edge = greatest(sum_of_sizes(c.v1 - c.v0), sum_of_sizes(c.v2 - c.v1), sum_of_sizes(c.v0 - c.v2));
     const real m = edge * n * inverse * inverse * (kRounding * view.spread / view.volume);
     const real corner = min(2.0f * m * side / max(area, real(1e-20f)), side + 4.0f);
