@@ -114,7 +114,7 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            const cpu::raster::FrameRaster* const raster = prepare_raster(frame, work);
+            const cpu::raster::FrameRaster* const raster = prepare_raster(frame);
             prepare_light_buffers(frame, work.region.width() >= kTileSide && work.region.height() >= kTileSide / 2);
             for_each_tile(work.region, kTileSide,
                           [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals, raster); });
@@ -147,9 +147,12 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            const cpu::raster::FrameRaster* const raster = prepare_raster(frame);
             prepare_light_buffers(frame, regions.size() >= kManyRegions);
             tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
-                render_tile(frame, regions[i], work, film, stop, totals, nullptr);
+                for_parts_of(regions[i], [&](const PixelRect& part) {
+                    render_tile(frame, part, work, film, stop, totals, raster);
+                });
             });
         });
         return totals.stats();
@@ -271,6 +274,15 @@ private:
         });
     }
 
+    /// Calls visit(part) for the parts of a small region in tiles.
+    template <class Visit>
+    static void for_parts_of(const PixelRect& r, const Visit& visit) {
+        for (int y = r.y0; y < r.y1; y = (y / kTileSide + 1) * kTileSide)
+            for (int x = r.x0; x < r.x1; x = (x / kTileSide + 1) * kTileSide)
+                visit(PixelRect{x, y, std::min(r.x1, (x / kTileSide + 1) * kTileSide),
+                                std::min(r.y1, (y / kTileSide + 1) * kTileSide)});
+    }
+
     void refine_tile(const kernel::SceneView& view, const PixelRect& tile, const RefinedWork& work, Film& film,
                      const StopFlag& stop, Totals& totals) {
         if (stop.requested()) {
@@ -327,10 +339,8 @@ private:
     }
 
     /// Null where the frame's eye rays are traced.
-    const cpu::raster::FrameRaster* prepare_raster(const Frame& frame, const RenderWork& work) {
+    const cpu::raster::FrameRaster* prepare_raster(const Frame& frame) {
         if (primary_ == PrimaryHits::trace || !embree_ || !cpu::raster::FrameRaster::can(frame)) return nullptr;
-        // A single pixel isn't worth sorting all triangles for.
-        if (work.region.width() < kTileSide || work.region.height() < kTileSide / 2) return nullptr;
         if (!raster_)
             raster_ = std::make_unique<cpu::raster::FrameRaster>(*scene_, cpu::raster::raster_kernels(lanes_));
         if (primary_ == PrimaryHits::automatic && !raster_->pays(frame)) return nullptr;
@@ -349,6 +359,7 @@ private:
         light_cells_ = light_buffers_->cells();
     }
 
+    /// For a region that lies in one of the tiles.
     void render_rasterised(const Frame& frame, const PixelRect& tile, RenderWork work, Film& film, Totals& totals,
                            const cpu::raster::FrameRaster& raster) const {
         static_assert(kTileSide == cpu::raster::kTileSide);
@@ -356,9 +367,7 @@ private:
         if (!scratch.tile) scratch.tile = std::make_unique<cpu::raster::TileScratch>();
         const std::uint32_t end = work.first_sample + work.sample_count;
         for (work.sample_count = 1; work.first_sample < end; ++work.first_sample) {
-            const cpu::RasterisedTile known =
-                raster.tile(tile.x0 / kTileSide * kTileSide, tile.y0 / kTileSide * kTileSide, work.first_sample,
-                            *scratch.tile, scratch.list);
+            const cpu::RasterisedTile known = raster.tile(tile, work.first_sample, *scratch.tile, scratch.list);
             run_kernel(frame, tile, work, film, totals, &known);
         }
     }

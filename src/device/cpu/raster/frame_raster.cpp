@@ -87,8 +87,9 @@ void FrameRaster::prepare(const Frame& frame) {
     prepared_ = true;
 }
 
-RasterisedTile FrameRaster::tile(int x0, int y0, std::uint32_t sample, TileScratch& scratch,
+RasterisedTile FrameRaster::tile(const PixelRect& wanted, std::uint32_t sample, TileScratch& scratch,
                                  std::vector<std::uint32_t>& list) const {
+    const int x0 = wanted.x0 / kTileSide * kTileSide, y0 = wanted.y0 / kTileSide * kTileSide;
     const auto number = static_cast<std::size_t>(y0 / kTileSide * tiles_across_ + x0 / kTileSide);
     list.clear();
     for (const Bins& bins : bins_) {
@@ -97,7 +98,7 @@ RasterisedTile FrameRaster::tile(int x0, int y0, std::uint32_t sample, TileScrat
         list.insert(list.end(), triangles + bins.begins[number], triangles + bins.begins[number + 1]);
     }
     const kernel::vec2 place = kernel::pixel_sample(sample);
-    kernels_.raster({scene_view_, view_, list, x0, y0, place.x, place.y, traced_}, scratch);
+    kernels_.raster({scene_view_, view_, list, x0, y0, wanted, place.x, place.y, traced_}, scratch);
     return {x0, y0, kTileSide, scratch.nearest, geometries_.data()};
 }
 

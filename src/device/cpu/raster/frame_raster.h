@@ -33,9 +33,9 @@ public:
 
     /// Sorts for a frame that can() be; nothing is done if it is so already.
     void prepare(const Frame& frame);
-    /// The tile with its first pixel at (x0, y0), multiples of kTileSide, at a sample of the frame prepared. It lives
-    /// in the scratch memory.
-    [[nodiscard]] RasterisedTile tile(int x0, int y0, std::uint32_t sample, TileScratch& scratch,
+    /// The tile that holds the pixels of `wanted`, at a sample of the frame prepared. It lives in the scratch memory,
+    /// and says nothing of packets without such pixels.
+    [[nodiscard]] RasterisedTile tile(const PixelRect& wanted, std::uint32_t sample, TileScratch& scratch,
                                       std::vector<std::uint32_t>& list) const;
 
     [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }

@@ -69,6 +69,7 @@ struct TileToRaster {
     const EyeView& view;
     std::span<const std::uint32_t> triangles;  ///< That may be seen in it.
     int x0 = 0, y0 = 0;                        ///< Its first pixel.
+    PixelRect wanted;                          ///< Pixels of it that are asked for.
     float sample_x = 0, sample_y = 0;          ///< Where in each pixel the ray goes.
     std::span<const PixelRect> traced;         ///< Pixels in which something else may be seen.
 };

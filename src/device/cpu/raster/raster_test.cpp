@@ -94,7 +94,8 @@ public:
             const int block_width = lanes == 4 ? 2 : 4, block_height = lanes / block_width;
             for (int y0 = 0; y0 < kHeight; y0 += kTileSide)
                 for (int x0 = 0; x0 < kWidth; x0 += kTileSide) {
-                    const RasterisedTile tile = raster->tile(x0, y0, sample, *scratch, list);
+                    const RasterisedTile tile =
+                        raster->tile({x0, y0, x0 + kTileSide, y0 + kTileSide}, sample, *scratch, list);
                     for (int y = y0; y < std::min(y0 + kTileSide, kHeight); ++y)
                         for (int x = x0; x < std::min(x0 + kTileSide, kWidth); ++x) {
                             const int column = x - x0, row = y - y0;

@@ -81,6 +81,14 @@ public:
             in_block_y_.v[lane] = static_cast<float>(lane / kBlockWidth) + tile.sample_y;
             middles_.v[lane] = static_cast<float>(lane * kBlockWidth) + 0.5F * (kBlockWidth - 1) + tile.sample_x;
         }
+        // Whole blocks, since a packet's rays are traced together.
+        constexpr int kUnit = 4;
+        const auto down = [](int pixel) { return static_cast<float>(std::max(pixel, 0) / kUnit * kUnit); };
+        const auto up = [](int pixel) {
+            return static_cast<float>((std::min(pixel, kTileSide) + kUnit - 1) / kUnit * kUnit - 1);
+        };
+        first_x_ = real(down(tile.wanted.x0 - tile.x0)), last_x_ = real(up(tile.wanted.x1 - tile.x0));
+        first_y_ = real(down(tile.wanted.y0 - tile.y0)), last_y_ = real(up(tile.wanted.y1 - tile.y0));
         std::fill_n(scratch.low, kTilePixels, -INFINITY);
         std::fill_n(scratch.high, kTilePixels, -INFINITY);
         std::fill_n(scratch.others, kTilePixels, -INFINITY);
@@ -169,15 +177,16 @@ private:
         const mask bounded = mask_and(b.bounded, mask_not(huge));
         // Pixels whose samples lie within.
         const real left(static_cast<float>(tile_.x0)), top(static_cast<float>(tile_.y0));
-        const real zero(0.0F), last(static_cast<float>(kTileSide - 1));
-        const real x0 = select(bounded, -floor(left + tile_.sample_x - b.x0), zero);
-        const real x1 = select(bounded, floor(b.x1 - tile_.sample_x - left), last);
-        const real y0 = select(bounded, -floor(top + tile_.sample_y - b.y0), zero);
-        const real y1 = select(bounded, floor(b.y1 - tile_.sample_y - top), last);
-        const mask any = mask_and(mask_and(x0 <= x1, y0 <= y1),
-                                  mask_and(mask_and(x1 >= zero, y1 >= zero), mask_and(x0 <= last, y0 <= last)));
-        const word bx0 = word_from_real(clamp(x0, zero, last)), bx1 = word_from_real(clamp(x1, zero, last));
-        const word by0 = word_from_real(clamp(y0, zero, last)), by1 = word_from_real(clamp(y1, zero, last));
+        const real x0 = select(bounded, -floor(left + tile_.sample_x - b.x0), first_x_);
+        const real x1 = select(bounded, floor(b.x1 - tile_.sample_x - left), last_x_);
+        const real y0 = select(bounded, -floor(top + tile_.sample_y - b.y0), first_y_);
+        const real y1 = select(bounded, floor(b.y1 - tile_.sample_y - top), last_y_);
+        const mask any = mask_and(mask_and(x0 <= x1, y0 <= y1), mask_and(mask_and(x1 >= first_x_, y1 >= first_y_),
+                                                                         mask_and(x0 <= last_x_, y0 <= last_y_)));
+        const word bx0 = word_from_real(clamp(x0, first_x_, last_x_));
+        const word bx1 = word_from_real(clamp(x1, first_x_, last_x_));
+        const word by0 = word_from_real(clamp(y0, first_y_, last_y_));
+        const word by1 = word_from_real(clamp(y1, first_y_, last_y_));
         const vint is_any = lane_ints(any), is_edge_on = lane_ints(f.edge_on), is_huge = lane_ints(huge);
         const StoredTriangles stored(f);
         const StoredLanes highest(
@@ -287,6 +296,7 @@ private:
     const TileToRaster& tile_;
     TileScratch& scratch_;
     real in_block_x_, in_block_y_, middles_;
+    real first_x_, last_x_, first_y_, last_y_;  ///< Pixels of the tile that are scanned.
 };
 
 }  // namespace
