@@ -18,7 +18,7 @@ struct PrimaryOptions {
     int rounds = 7;  ///< Each round makes a frame both ways, in turn; the least times count.
 };
 
-/// One scene at one size.
+/// One scene at one size, in processor seconds.
 struct PrimaryTiming {
     std::string scene;
     std::size_t triangles = 0;

@@ -20,7 +20,9 @@ constexpr int kParts = 2;
 /// Of a lamp's place, relative to the size of its coordinates: nothing nearer is asked about.
 constexpr float kNearest = 1e-3F;
 /// Finer meshes than one triangle in so many pixels fill no cells, and take longer to scan.
-constexpr std::size_t kPixelsPerTriangle = 32;
+constexpr std::size_t kPixelsPerTriangle = 64;
+/// What isn't scanned is looked for by its box, one by one, which takes as long as so many triangles.
+constexpr std::size_t kTrianglesPerThing = 8;
 
 /// Faces are large from this share of the scene's extent on; they fill cells …
 constexpr float kLarge = 1.0F / 16;
@@ -104,7 +106,8 @@ bool LightBuffers::pays(const Frame& frame) const {
     constexpr std::uint32_t kOthers = kernel::FEATURE_ATMOSPHERE | kernel::FEATURE_MEDIA | kernel::FEATURE_PHOTONS |
                                       kernel::FEATURE_CAUSTICS | kernel::FEATURE_CULL;
     if ((frame.params.features & kOthers) != 0 || (frame.params.features & kernel::FEATURE_SHADOWS) == 0 ||
-        frame.params.plane_count > 0 || !has_large_faces_ || triangle_count_ * kPixelsPerTriangle > pixels_of(frame))
+        frame.params.plane_count > 0 || !has_large_faces_ ||
+        (triangle_count_ + traced_things_.count() * kTrianglesPerThing) * kPixelsPerTriangle > pixels_of(frame))
         return false;
     for (std::uint32_t i = 0; i < frame.params.light_count; ++i)
         if (buffered(frame.lights[i])) return true;
