@@ -7,6 +7,7 @@
 #include <ctime>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "compile/compile.h"
 #include "device/choose/choose.h"
@@ -14,6 +15,7 @@
 #include "gallery.h"
 #include "import/import.h"
 #include "spd/spd.h"
+#include "statistics.h"
 
 namespace sundog::bench {
 namespace {
@@ -28,16 +30,16 @@ double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_P
 /// One way of finding what the eye sees.
 struct Contestant {
     std::unique_ptr<Device> device;
-    double whole_s = 1e9, eye_s = 1e9;
+    std::vector<double> whole_s, eye_s;
 
     Contestant(PrimaryHits how, int threads, const std::shared_ptr<const RenderScene>& scene)
         : device(open_device("cpu", threads, Acceleration::embree, how)) {
         device->load(scene);
     }
-    void measure(const Frame& frame, double& least_s, Film& film, const StopFlag& stop) const {
+    void measure(const Frame& frame, std::vector<double>& times_s, Film& film, const StopFlag& stop) const {
         const double start = processor_seconds();
         device->render(frame, {film.bounds, 0, 1}, film, stop);
-        least_s = std::min(least_s, processor_seconds() - start);
+        times_s.push_back(processor_seconds() - start);
     }
 };
 
@@ -47,7 +49,7 @@ void measure_scene(const std::string& name, const scene::Scene& scene, const Pri
     Contestant traced(PrimaryHits::trace, threads, compiled), rastered(PrimaryHits::raster, threads, compiled);
     const cpu::raster::FrameRaster chooser(*compiled, cpu::raster::raster_kernels(4));
     for (const auto& size : kSizes) {
-        traced.whole_s = traced.eye_s = rastered.whole_s = rastered.eye_s = 1e9;
+        for (Contestant* c : {&traced, &rastered}) c->whole_s.clear(), c->eye_s.clear();
         Film film({0, 0, size[0], size[1]});
         PrimaryTiming timing{.scene = name, .width = size[0], .height = size[1]};
         // The first round warms caches and threads.
@@ -61,16 +63,16 @@ void measure_scene(const std::string& name, const scene::Scene& scene, const Pri
                 Frame frame = make_frame(scene, *compiled, frame_options);
                 frame.params.camera.eye.x += 1e-4F * static_cast<float>(2 * round + (whole ? 1 : 0));
                 timing.chosen = cpu::raster::FrameRaster::can(frame) && chooser.pays(frame);
-                double warm_s = 1e9;
+                std::vector<double> warm_s;
                 for (Contestant* c : {&traced, &rastered})
                     c->measure(frame, round < 0 ? warm_s : whole ? c->whole_s : c->eye_s, film, stop);
             }
         }
         timing.triangles = chooser.triangle_count();
-        timing.traced_s = traced.whole_s;
-        timing.rastered_s = rastered.whole_s;
-        timing.eye_traced_s = traced.eye_s;
-        timing.eye_rastered_s = rastered.eye_s;
+        timing.traced_s = median(traced.whole_s);
+        timing.rastered_s = median(rastered.whole_s);
+        timing.eye_traced_s = median(traced.eye_s);
+        timing.eye_rastered_s = median(rastered.eye_s);
         done(timing);
     }
 }

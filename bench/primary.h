@@ -15,7 +15,7 @@ struct PrimaryOptions {
     std::filesystem::path gallery;  ///< Folder with table/ and the others; empty: the one of the source tree.
     std::string scene;              ///< Its name, or "knot"; empty: all.
     int threads = 2;
-    int rounds = 7;  ///< Each round makes a frame both ways, in turn; the least times count.
+    int rounds = 7;  ///< Each round makes a frame both ways, in turn; medians count.
 };
 
 /// One scene at one size, in processor seconds.

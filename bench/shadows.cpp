@@ -7,11 +7,13 @@
 #include <ctime>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "bench/accel_bench.h"
 #include "bench/gallery.h"
 #include "compile/compile.h"
 #include "device/cpu/cpu_device.h"
+#include "statistics.h"
 
 namespace sundog::bench {
 namespace {
@@ -43,7 +45,7 @@ void run_shadows(const ShadowOptions& options, const std::function<void(const Sh
         const auto without = device_with(false, threads, compiled), with = device_with(true, threads, compiled);
         for (const auto& size : kSizes) {
             ShadowTiming timing{.scene = name, .width = size[0], .height = size[1]};
-            timing.traced_s = timing.moving_s = timing.resting_s = 1e9;
+            std::vector<double> traced_s, moving_s, resting_s, unused_s;
             Film film({0, 0, size[0], size[1]});
             FrameOptions frame_options;
             frame_options.width = size[0];
@@ -55,19 +57,21 @@ void run_shadows(const ShadowOptions& options, const std::function<void(const Sh
                 Frame moved = frame;
                 for (kernel::Light& light : moved.lights) light.place.x += 1e-4F * static_cast<float>(round + 2);
                 RenderStats stats;
-                const auto measure = [&](Device& device, const Frame& which, double& least_s) {
+                const auto measure = [&](Device& device, const Frame& which, std::vector<double>& times_s) {
                     const double start = processor_seconds();
                     stats = device.render(which, {film.bounds, 0, 1}, film, stop);
-                    if (round >= 0) least_s = std::min(least_s, processor_seconds() - start);
+                    if (round >= 0) times_s.push_back(processor_seconds() - start);
                 };
-                double unused_s = 1e9;
-                measure(*without, frame, timing.traced_s);
-                measure(*with, moved, timing.moving_s);
+                measure(*without, frame, traced_s);
+                measure(*with, moved, moving_s);
                 measure(*with, frame, unused_s);
-                measure(*with, frame, timing.resting_s);
+                measure(*with, frame, resting_s);
                 timing.shadow_share = static_cast<double>(stats.shadow_rays) /
                                       static_cast<double>(std::max<std::uint64_t>(stats.rays, 1));
             }
+            timing.traced_s = median(traced_s);
+            timing.moving_s = median(moving_s);
+            timing.resting_s = median(resting_s);
             done(timing);
         }
     }

@@ -14,7 +14,7 @@ struct ShadowOptions {
     std::filesystem::path gallery;  ///< Folder with table/ and the others; empty: the one of the source tree.
     std::string scene;              ///< Its name; empty: all.
     int threads = 2;
-    int rounds = 7;  ///< Each round makes a frame both ways, in turn; the least times count.
+    int rounds = 7;  ///< Each round makes a frame both ways, in turn; medians count.
 };
 
 /// One scene at one size.

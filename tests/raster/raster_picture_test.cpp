@@ -115,6 +115,50 @@ TEST(RasterPicture, TheSameForAnyThreads) {
     }
 }
 
+// Catches bits that depend on whether a pixel is rendered alone, among small regions or with all others.
+TEST(RasterPicture, TheSameInSmallRegions) {
+    const Loaded loaded = gallery("textured");
+    const Film whole = rendered(loaded, by(PrimaryHits::raster));
+    Session session(make_cpu_device(by(PrimaryHits::raster)));
+    session.load(loaded.compiled);
+    const Frame frame = loaded.frame();
+    std::vector<PixelRect> regions;
+    for (int y = 0; y < kHeight; y += 13)
+        for (int x = 0; x < kWidth; x += 37)
+            regions.push_back({x, y, std::min(x + 37, kWidth), std::min(y + 13, kHeight)});
+    Film parts({0, 0, kWidth, kHeight}, frame.params.aovs);
+    session.device().render_regions(frame, regions, {{}, 0, 1}, parts, StopFlag{});
+    EXPECT_EQ(whole.radiance, parts.radiance);
+    EXPECT_EQ(whole.depth, parts.depth);
+    Film one({101, 97, 102, 98}, frame.params.aovs);
+    session.device().render(frame, {one.bounds, 0, 1}, one, StopFlag{});
+    EXPECT_EQ(one.radiance[0], whole.radiance[whole.index(101, 97)]);
+}
+
+// Catches light buffers that change a bit of a picture or leave rays uncounted.
+TEST(LightBufferPicture, TheGallery) {
+    for (const char* name : {"table", "cornell", "mirrors", "glass", "textured"}) {
+        SCOPED_TRACE(name);
+        const Loaded loaded = gallery(name);
+        CpuOptions options = by(PrimaryHits::trace);
+        const auto render = [&](bool light_buffers) {
+            options.light_buffers = light_buffers;
+            Session session(make_cpu_device(options));
+            session.load(loaded.compiled);
+            FrameOptions frame_options;
+            frame_options.width = 600;  // enough pixels for all of the gallery
+            frame_options.height = 400;
+            frame_options.time_s = 2;
+            frame_options.aovs = kernel::AOV_COST;
+            const Frame frame = make_frame(loaded.scene, *loaded.compiled, frame_options);
+            return session.render(frame, 1, {}, StopFlag{}).film;
+        };
+        const Film with = render(true), without = render(false);
+        EXPECT_EQ(with.radiance, without.radiance);
+        EXPECT_EQ(with.cost, without.cost);
+    }
+}
+
 // Catches scan conversion of what it can't do: other cameras, back faces left out, things that the eye doesn't see, and
 // planes, which lie before triangles or in them.
 TEST(RasterPicture, WhatIsTracedInstead) {
