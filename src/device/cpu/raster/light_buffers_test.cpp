@@ -141,7 +141,6 @@ TEST(LightBuffers, WhatLightPassesThrough) {
         test.end_mesh();
         if (!glass) test.scene.geometries.back().hidden_from = kernel::RAY_SHADOW;
         test.finish();
-        Tally tally;
         Frame frame;
         frame.lights.resize(1);
         frame.lights[0].place = {0.1F, 0, 3};
