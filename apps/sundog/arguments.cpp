@@ -164,6 +164,10 @@ RefinementMethod parse_refinement_method(std::string_view text) {
     return name == "scanline" ? RefinementMethod::scanline : RefinementMethod::scanline_assumed;
 }
 
+PrimaryHits parse_primary(std::string_view text) {
+    return primary_hits_named(parse_choice("--primary", text, {kPrimaryHitsNames.begin(), kPrimaryHitsNames.end()}));
+}
+
 std::string parse_device(std::string_view text) { return parse_choice("--device", text, {"auto", "cpu", "gpu"}); }
 
 }  // namespace sundog::app

@@ -9,6 +9,7 @@
 
 #include "device/acceleration.h"
 #include "device/device.h"
+#include "device/primary_hits.h"
 #include "kernel/shared.h"
 
 namespace sundog::app {
@@ -58,6 +59,9 @@ Acceleration parse_acceleration(std::string_view text);
 
 /// "grid", "scanline" or "scanline-assumed"
 RefinementMethod parse_refinement_method(std::string_view text);
+
+/// "auto", "trace" or "raster": kPrimaryHitsNames.
+PrimaryHits parse_primary(std::string_view text);
 
 /// "cpu", "gpu" or "auto"
 std::string parse_device(std::string_view text);

@@ -101,6 +101,14 @@ TEST(Arguments, WrongChoicesNameTheRightOnes) {
               "--aov 'xyz': expected depth, normal, albedo, object, samples, cost or all");
 }
 
+// Catches a way of finding first hits whose name is lost between the command line and the device.
+TEST(Arguments, PrimaryHits) {
+    EXPECT_EQ(parse_primary("auto"), PrimaryHits::automatic);
+    EXPECT_EQ(parse_primary("trace"), PrimaryHits::trace);
+    EXPECT_EQ(parse_primary("raster"), PrimaryHits::raster);
+    EXPECT_THROW(parse_primary("rasta"), UsageError);
+}
+
 // Catches a message that echoes a terminal's control sequences.
 TEST(Arguments, EchoedValuesAreTamed) {
     try {

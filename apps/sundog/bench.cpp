@@ -10,8 +10,10 @@
 #include "arguments.h"
 #include "bench/accel_bench.h"
 #include "bench/gallery.h"
+#include "bench/primary.h"
 #include "bench/refinement.h"
 #include "bench/sampling.h"
+#include "bench/shadows.h"
 #include "command.h"
 #include "console.h"
 #include "exit_status.h"
@@ -25,6 +27,8 @@ constexpr const char* kExamples =
     "  sundog bench\n"
     "  sundog bench --device gpu --no-load\n"
     "  sundog bench --accel\n"
+    "  sundog bench --primary\n"
+    "  sundog bench --shadows\n"
     "Each round measures every contestant once, and medians count. Ctrl-C prints what is done.";
 
 int measure(const bench::BenchOptions& options) {
@@ -62,6 +66,32 @@ int measure_sampling(const bench::BenchOptions& options, const std::string& scen
         {.gallery = options.gallery, .scene = scene, .threads = options.threads},
         [](const bench::SamplingTiming& timing) {
             fmt::print("{}", bench::sampling_row(timing));
+            std::fflush(stdout);
+        },
+        interrupt.flag());
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_primary(const bench::BenchOptions& options, const std::string& scene) {
+    const InterruptGuard interrupt;
+    fmt::print("{}", bench::primary_head());
+    bench::run_primary(
+        {.gallery = options.gallery, .scene = scene, .threads = options.threads, .rounds = options.rounds},
+        [](const bench::PrimaryTiming& timing) {
+            fmt::print("{}", bench::primary_row(timing));
+            std::fflush(stdout);
+        },
+        interrupt.flag());
+    return interrupt.flag().requested() ? kInterrupted : 0;
+}
+
+int measure_shadows(const bench::BenchOptions& options, const std::string& scene) {
+    const InterruptGuard interrupt;
+    fmt::print("{}", bench::shadows_head());
+    bench::run_shadows(
+        {.gallery = options.gallery, .scene = scene, .threads = options.threads, .rounds = options.rounds},
+        [](const bench::ShadowTiming& timing) {
+            fmt::print("{}", bench::shadows_row(timing));
             std::fflush(stdout);
         },
         interrupt.flag());
@@ -129,25 +159,35 @@ void add_bench(CLI::App& program, Action& action) {
     const auto sampling = std::make_shared<bool>(false);
     command->add_flag("--sampling", *sampling,
                       "Compare the ways to choose a pixel's samples instead: error against time");
+    const auto primary = std::make_shared<bool>(false);
+    command->add_flag("--primary", *primary,
+                      "Compare eye rays by scan conversion (see 'render --primary') with traced ones instead");
+    const auto shadows = std::make_shared<bool>(false);
+    command->add_flag("--shadows", *shadows, "Compare light buffers with tracing all shadow rays instead");
     command
         ->add_option_function<std::string>(
             "--scene",
             [scene](Text text) {
-                const std::vector<std::string> names = bench::accel_scene_names();
+                std::vector<std::string> names = bench::accel_scene_names();
+                names.emplace_back("knot");
                 *scene = parse_choice("--scene", text, {names.begin(), names.end()});
             },
-            "With --accel, --refine or --sampling: one scene of those measured")
+            "With one of these: one scene of those measured")
         ->type_name("NAME");
-    command->callback([options, tolerance, method, scene, structures, sampling, &action] {
-        action = [options, tolerance, method, scene, structures, sampling] {
-            if (int{*structures} + int{tolerance->has_value()} + int{*sampling} > 1)
-                throw UsageError("--accel, --refine and --sampling are one measurement each");
+    command->callback([options, tolerance, method, scene, structures, sampling, primary, shadows, &action] {
+        action = [options, tolerance, method, scene, structures, sampling, primary, shadows] {
+            if (int{*structures} + int{tolerance->has_value()} + int{*sampling} + int{*primary} + int{*shadows} > 1)
+                throw UsageError(
+                    "--accel, --refine, --sampling, --primary and --shadows are measurements of their own");
             if (*method && !*tolerance) throw UsageError("--preview-method belongs to --refine");
+            if (*shadows) return measure_shadows(*options, *scene);
+            if (*primary) return measure_primary(*options, *scene);
             if (*structures) return measure_structures(*options, *scene);
             if (*tolerance)
                 return measure_refinement(*options, **tolerance, method->value_or(RefinementMethod::grid), *scene);
             if (*sampling) return measure_sampling(*options, *scene);
-            if (!scene->empty()) throw UsageError("--scene belongs to --accel, --refine or --sampling");
+            if (!scene->empty())
+                throw UsageError("--scene belongs to --accel, --refine, --sampling, --primary or --shadows");
             return measure(*options);
         };
     });

@@ -26,13 +26,13 @@ std::string device_for(std::optional<Acceleration> acceleration, const std::stri
 }
 
 std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads,
-                                        Acceleration acceleration) {
-    std::unique_ptr<Device> device = open_device(choice, threads, acceleration);
+                                        Acceleration acceleration, PrimaryHits primary) {
+    std::unique_ptr<Device> device = open_device(choice, threads, acceleration, primary);
     if (choice != "auto" || device->info().kind == "cpu") return device;
     const std::vector<std::string> missing = device->unsupported(scene);
     if (missing.empty()) return device;
     print_note("using the CPU, because " + device->info().name + " can't draw this scene: " + missing.front());
-    return open_device("cpu", threads, acceleration);
+    return open_device("cpu", threads, acceleration, primary);
 }
 
 }  // namespace sundog::app

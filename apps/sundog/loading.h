@@ -10,6 +10,7 @@
 #include "base/diagnostics.h"
 #include "device/acceleration.h"
 #include "device/device.h"
+#include "device/primary_hits.h"
 
 namespace sundog::app {
 
@@ -22,6 +23,7 @@ std::string device_for(std::optional<Acceleration> acceleration, const std::stri
 /// The device of that choice. With "auto", a GPU that can't draw the scene gives way to the CPU, which is said on
 /// standard error. Errors: DeviceError.
 std::unique_ptr<Device> open_device_for(const RenderScene& scene, const std::string& choice, int threads,
-                                        Acceleration acceleration = Acceleration::embree);
+                                        Acceleration acceleration = Acceleration::embree,
+                                        PrimaryHits primary = PrimaryHits::automatic);
 
 }  // namespace sundog::app

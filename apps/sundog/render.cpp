@@ -63,6 +63,17 @@ void check_shown_rays(const RenderArguments& arguments) {
     if (arguments.pixel) throw UsageError("--show rays makes pictures: leave --pixel out");
 }
 
+/// Scan conversion is the CPU's, beside Embree, and for every pixel.
+void check_primary(RenderArguments& arguments) {
+    if (arguments.primary != PrimaryHits::raster) return;
+    if (arguments.acceleration && *arguments.acceleration != Acceleration::embree)
+        throw UsageError("--primary raster goes with Embree", "leave --accel out");
+    if (arguments.sampling.preview) throw UsageError("--primary raster finds every pixel", "leave --preview out");
+    if (arguments.device == "gpu")
+        throw UsageError("--primary is for the CPU, which --device gpu doesn't use", "leave one of them out");
+    arguments.device = "cpu";
+}
+
 int render(RenderArguments arguments) {
     using Way = SamplingArguments::Way;
     arguments.sampling.check();
@@ -72,6 +83,7 @@ int render(RenderArguments arguments) {
         throw UsageError("--adaptive-method 2 has no layers but samples");
     if (arguments.shown == Shown::cost) check_shown_cost(arguments);
     if (arguments.shown == Shown::rays) check_shown_rays(arguments);
+    check_primary(arguments);
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
@@ -92,7 +104,7 @@ int render(RenderArguments arguments) {
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
-                                    arguments.acceleration.value_or(Acceleration::embree)));
+                                    arguments.acceleration.value_or(Acceleration::embree), arguments.primary));
     session.load(compiled);
 
     const Stage stage{scene, *compiled, session};
@@ -145,6 +157,12 @@ void add_render(CLI::App& program, Action& action) {
         ->add_option_function<std::string>(
             "--accel", [&a](Text text) { a.acceleration = parse_acceleration(text); },
             "What finds hits on the CPU: embree (default), bvh, kdtree, octree, grid, boxes or none")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--primary", [&a](Text text) { a.primary = parse_primary(text); },
+            "How the CPU finds what the eye sees: trace, raster (scan conversion, where it can be; the same picture) "
+            "or auto (the faster of them)")
         ->type_name("NAME");
     command
         ->add_option_function<std::string>(

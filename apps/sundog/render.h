@@ -35,6 +35,7 @@ struct RenderArguments {
     std::optional<Pixel> pixel;
     AovChoice aovs;
     std::optional<Acceleration> acceleration;  ///< If asked for: then on the CPU.
+    PrimaryHits primary = PrimaryHits::automatic;
     Shown shown = Shown::picture;
     bool quiet = false;
     FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.

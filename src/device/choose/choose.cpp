@@ -49,7 +49,8 @@ std::vector<DeviceListing> list_devices() {
     return listings;
 }
 
-std::unique_ptr<Device> open_device(std::string_view choice, int threads, Acceleration acceleration) {
+std::unique_ptr<Device> open_device(std::string_view choice, int threads, Acceleration acceleration,
+                                    PrimaryHits primary) {
     if (choice != "cpu") {
         const bool asked_for = choice == "gpu";
         const Gpus gpus;
@@ -59,6 +60,7 @@ std::unique_ptr<Device> open_device(std::string_view choice, int threads, Accele
     CpuOptions options;
     options.threads = threads;
     options.acceleration = acceleration;
+    options.primary = primary;
     return make_cpu_device(options);
 }
 

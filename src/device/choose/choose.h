@@ -9,6 +9,7 @@
 
 #include "device/acceleration.h"
 #include "device/device.h"
+#include "device/primary_hits.h"
 
 namespace sundog {
 
@@ -23,8 +24,10 @@ struct DeviceListing {
 std::vector<DeviceListing> list_devices();
 
 /// choice: "cpu", "gpu" (hardware before software) or "auto" (a hardware GPU if there is one, else the CPU).
-/// threads: for the CPU, 0 for all; acceleration: likewise. Errors: DeviceError, which says why there is no usable GPU.
+/// threads: for the CPU, 0 for all; acceleration and primary: likewise. Errors: DeviceError, which says why there is no
+/// usable GPU.
 std::unique_ptr<Device> open_device(std::string_view choice, int threads,
-                                    Acceleration acceleration = Acceleration::embree);
+                                    Acceleration acceleration = Acceleration::embree,
+                                    PrimaryHits primary = PrimaryHits::automatic);
 
 }  // namespace sundog

@@ -18,6 +18,8 @@
 #include "device/cpu/photons.h"
 #include "device/cpu/places.h"
 #include "device/cpu/radiosity.h"
+#include "device/cpu/raster/frame_raster.h"
+#include "device/cpu/raster/light_buffers.h"
 #include "device/cpu/structure_scene.h"
 #include "device/cpu/tile_kernel.h"
 
@@ -26,6 +28,9 @@ namespace {
 
 /// Side of the squares that threads take from each other, in pixels; a multiple of every block's side.
 constexpr int kTileSide = 32;
+
+/// So many regions are worth a light buffer.
+constexpr std::size_t kManyRegions = 64;
 
 int widest_lanes() {
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
@@ -47,7 +52,10 @@ std::string processor_name() {
 class CpuDevice final : public Device {
 public:
     explicit CpuDevice(const CpuOptions& options)
-        : acceleration_(options.acceleration), lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
+        : acceleration_(options.acceleration),
+          primary_(options.primary),
+          uses_light_buffers_(options.light_buffers),
+          lanes_(options.lanes == 0 ? widest_lanes() : options.lanes) {
         if (!__builtin_cpu_supports("sse4.2"))
             throw DeviceError("this processor lacks SSE4.2, which the CPU device needs");
         if (lanes_ != 4 && lanes_ != 8 && lanes_ != 16) throw DeviceError("the CPU device has 4, 8 or 16 lanes");
@@ -96,6 +104,8 @@ public:
             photons_.reset();
             embree_.reset();
             structure_.reset();
+            raster_.reset();
+            light_buffers_.reset();
             scene_ = std::move(scene);
             if (acceleration_ == Acceleration::embree)
                 embree_ = std::make_unique<cpu::EmbreeScene>(device_.get(), *scene_, shapes_);
@@ -108,8 +118,10 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            const cpu::raster::FrameRaster* const raster = prepare_raster(frame);
+            prepare_light_buffers(frame, work.region.width() >= kTileSide && work.region.height() >= kTileSide / 2);
             for_each_tile(work.region, kTileSide,
-                          [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals); });
+                          [&](const PixelRect& tile) { render_tile(frame, tile, work, film, stop, totals, raster); });
         });
         return totals.stats();
     }
@@ -139,8 +151,13 @@ public:
         arena_.execute([&] {
             traversal().update(frame);
             if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            tbb::parallel_for(std::size_t{0}, regions.size(),
-                              [&](std::size_t i) { render_tile(frame, regions[i], work, film, stop, totals); });
+            const cpu::raster::FrameRaster* const raster = prepare_raster(frame);
+            prepare_light_buffers(frame, regions.size() >= kManyRegions);
+            tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+                for_parts_of(regions[i], [&](const PixelRect& part) {
+                    render_tile(frame, part, work, film, stop, totals, raster);
+                });
+            });
         });
         return totals.stats();
     }
@@ -288,6 +305,15 @@ private:
         });
     }
 
+    /// Calls visit(part) for the parts of a small region in tiles.
+    template <class Visit>
+    static void for_parts_of(const PixelRect& r, const Visit& visit) {
+        for (int y = r.y0; y < r.y1; y = (y / kTileSide + 1) * kTileSide)
+            for (int x = r.x0; x < r.x1; x = (x / kTileSide + 1) * kTileSide)
+                visit(PixelRect{x, y, std::min(r.x1, (x / kTileSide + 1) * kTileSide),
+                                std::min(r.y1, (y / kTileSide + 1) * kTileSide)});
+    }
+
     void refine_tile(const kernel::SceneView& view, const PixelRect& tile, const RefinedWork& work, Film& film,
                      const StopFlag& stop, Totals& totals) {
         if (stop.requested()) {
@@ -314,12 +340,13 @@ private:
     }
 
     void render_tile(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
-                     const StopFlag& stop, Totals& totals) const {
+                     const StopFlag& stop, Totals& totals, const cpu::raster::FrameRaster* raster) const {
         if (stop.requested()) {
             totals.complete = false;
             return;
         }
         if (structure_ && !work.steps.empty()) count_steps(frame, tile, work, film, totals);
+        else if (raster) render_rasterised(frame, tile, work, film, totals, *raster);
         else run_kernel(frame, tile, work, film, totals);
     }
 
@@ -341,12 +368,48 @@ private:
             }
     }
 
-    void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film,
-                    Totals& totals) const {
+    /// Null where the frame's eye rays are traced.
+    const cpu::raster::FrameRaster* prepare_raster(const Frame& frame) {
+        if (primary_ == PrimaryHits::trace || !embree_ || !cpu::raster::FrameRaster::can(frame)) return nullptr;
+        if (!raster_)
+            raster_ = std::make_unique<cpu::raster::FrameRaster>(*scene_, cpu::raster::raster_kernels(lanes_));
+        if (primary_ == PrimaryHits::automatic && !raster_->pays(frame)) return nullptr;
+        raster_->prepare(frame);
+        return raster_.get();
+    }
+
+    /// Sets light_cells_: null where all shadow rays are traced.
+    void prepare_light_buffers(const Frame& frame, bool many_pixels) {
+        light_cells_ = nullptr;
+        if (!uses_light_buffers_ || !embree_ || !many_pixels) return;
+        if (!light_buffers_)
+            light_buffers_ = std::make_unique<cpu::raster::LightBuffers>(*scene_, cpu::raster::cell_kernel(lanes_));
+        if (!light_buffers_->pays(frame)) return;
+        light_buffers_->prepare(frame);
+        light_cells_ = light_buffers_->cells();
+    }
+
+    /// For a region that lies in one of the tiles.
+    void render_rasterised(const Frame& frame, const PixelRect& tile, RenderWork work, Film& film, Totals& totals,
+                           const cpu::raster::FrameRaster& raster) const {
+        static_assert(kTileSide == cpu::raster::kTileSide);
+        RasterScratch& scratch = raster_scratch_.local();
+        if (!scratch.tile) scratch.tile = std::make_unique<cpu::raster::TileScratch>();
+        const std::uint32_t end = work.first_sample + work.sample_count;
+        for (work.sample_count = 1; work.first_sample < end; ++work.first_sample) {
+            const cpu::RasterisedTile known =
+                raster.tile(tile, frame.params.sampling, work.first_sample, *scratch.tile, scratch.list);
+            run_kernel(frame, tile, work, film, totals, &known);
+        }
+    }
+
+    void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film, Totals& totals,
+                    const cpu::RasterisedTile* rasterised = nullptr) const {
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
             {*scene_, frame, traversal().handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
-             radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr});
+             radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr,
+             light_cells_, rasterised});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -360,7 +423,15 @@ private:
         return embree_ ? static_cast<cpu::Traversal&>(*embree_) : *structure_;
     }
 
+    /// A thread's memory for rasterising.
+    struct RasterScratch {
+        std::unique_ptr<cpu::raster::TileScratch> tile;
+        std::vector<std::uint32_t> list;
+    };
+
     Acceleration acceleration_;
+    PrimaryHits primary_;
+    bool uses_light_buffers_;
     int lanes_;
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
@@ -378,6 +449,10 @@ private:
     std::unique_ptr<cpu::StructureScene> structure_;
     std::unique_ptr<PreparedPhotons> photons_;
     std::unique_ptr<PreparedRadiosity> radiosity_;
+    std::unique_ptr<cpu::raster::FrameRaster> raster_;          ///< Made when a frame is first rasterised.
+    std::unique_ptr<cpu::raster::LightBuffers> light_buffers_;  ///< Likewise.
+    const kernel::LightCells* light_cells_ = nullptr;           ///< Of the picture under way.
+    mutable tbb::enumerable_thread_specific<RasterScratch> raster_scratch_;
     tbb::enumerable_thread_specific<cpu::RefinementMemory> refinements_;
 };
 

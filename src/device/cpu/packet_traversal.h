@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "device/cpu/embree.h"
+#include "device/cpu/given_hits.h"
+#include "device/cpu/light_cells.h"
 #include "kernel/rays.h"
 #include "kernel/shapes/all_planes.h"
 
@@ -55,7 +57,7 @@ struct PointView : SceneView {
 };
 #endif
 
-inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together) {
+inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together, const EyeHits* given = nullptr) {
 #ifdef SUNDOG_KERNEL_RECORDS
     if (const Hit* known = std::exchange(static_cast<const PointView&>(scene).next_hit, nullptr)) return *known;
 #endif
@@ -63,12 +65,19 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together
     store_ray(ray, ray_kind, packet.ray);
     lanes_of(packet.hit.geomID) = vuint{} - 1u;
     lanes_of(packet.hit.instID[0]) = vuint{} - 1u;
-    alignas(64) const vint valid = lane_ints(alive);
+    alignas(64) vint valid = lane_ints(alive);
+    word triangle(NONE);
+    if (given != nullptr) {
+        triangle = word(*reinterpret_cast<const vuint*>(given->triangles));
+        valid = lane_ints(mask_and(alive, triangle == word(EYE_UNKNOWN)));
+    }
     // As one packet even off mirrors: neighbours' rays mostly stay together, and that is a tenth to a quarter faster on
     // the gallery. But not where things move: see trace_any.
     embree::Query query(together || !FEATURE(FEATURE_INSTANCES));
-    embree::closest_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
-                        query, packet);
+    // Embree looks into a packet of which nothing is asked all the same.
+    if (given == nullptr || any_lane(mask_and(alive, triangle == word(EYE_UNKNOWN))))
+        embree::closest_hit(reinterpret_cast<const int*>(&valid),
+                            static_cast<RTCScene>(const_cast<void*>(scene.traversal)), query, packet);
     Hit hit;
     hit.t = real(lanes_of(packet.ray.tfar));
     hit.u = real(lanes_of(packet.hit.u));
@@ -83,6 +92,10 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together
     const mask found = mask_and(alive, hit.geometry != word(NONE));
     hit.primitive =
         word(lanes_of(packet.hit.primID)) + FIELD(geometries, valid_index(found, hit.geometry), first_primitive);
+    if (given != nullptr) {
+        const mask met = mask_and(alive, triangle < word(EYE_UNKNOWN));
+        if (any_lane(met)) hit_given_triangles(scene, ray, triangle, *given, met, hit);
+    }
     if (scene.frame.plane_count > 0) closest_plane(scene, ray, ray_kind, alive, hit);
     return hit;
 }

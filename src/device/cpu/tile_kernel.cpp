@@ -218,6 +218,11 @@ void add_aovs(Film& film, std::size_t i, const BlockResult& block, int lane, boo
     }
 }
 
+EyeHits hits_of_block(const RasterisedTile& tile, int x0, int y0) {
+    const int block = (y0 - tile.y0) / kBlockHeight * (tile.side / kBlockWidth) + (x0 - tile.x0) / kBlockWidth;
+    return {tile.triangles + static_cast<std::ptrdiff_t>(block) * kLanes, tile.geometries};
+}
+
 /// Puts a block's sums and AOVs into the film.
 void store_block(int x0, int y0, const BlockResult& block, const TileWork& work) {
     Film& film = work.film;
@@ -239,6 +244,7 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     SceneView view = view_of(work.scene, work.frame, work.traversal);
     view.indirect = work.indirect;
     view.photons = work.photons;
+    view.light_cells = work.light_cells;
     const vint width = vint{} + static_cast<int>(view.frame.width);
     const vint height = vint{} + static_cast<int>(view.frame.height);
     RayCounts counts{word(0U), word(0U)};
@@ -252,6 +258,11 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
                 const vuint wanted = wanted_lanes(x, y, work);
                 inside &= wanted;
                 if (sum_lanes(word(wanted)) == 0) continue;
+            }
+            EyeHits given{};
+            if (work.rasterised != nullptr) {
+                given = hits_of_block(*work.rasterised, x, y);
+                view.eye_hits = &given;
             }
             const BlockResult block = trace_block(view, x, y, word(inside) != word(0U), work);
             counts.rays = counts.rays + block.counts.rays;

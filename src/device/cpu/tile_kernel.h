@@ -11,6 +11,15 @@
 
 namespace sundog::cpu {
 
+/// What rasterising knows of the eye rays of a square of pixels, in the kernel's blocks: those of a packet, row by row,
+/// and in each its pixels, row by row.
+struct RasterisedTile {
+    int x0 = 0, y0 = 0;                         ///< Its first pixel, at the corner of a block.
+    int side = 0;                               ///< In pixels.
+    const std::uint32_t* triangles = nullptr;   ///< As in EyeHits; aligned to 64 bytes.
+    const std::uint32_t* geometries = nullptr;  ///< Likewise.
+};
+
 /// One tile's work. Pixels are traced in fixed blocks, so neighbouring tiles never change each other's bits.
 struct TileWork {
     const RenderScene& scene;
@@ -22,6 +31,8 @@ struct TileWork {
     std::span<const std::uint8_t> wanted{};           ///< As in RenderWork.
     const kernel::IndirectLight* indirect = nullptr;  ///< Where the frame has FEATURE_RADIOSITY.
     const kernel::PhotonLight* photons = nullptr;     ///< Where the frame has FEATURE_PHOTONS.
+    const kernel::LightCells* light_cells = nullptr;  ///< For each of the frame's lights; null: nothing is known.
+    const RasterisedTile* rasterised = nullptr;       ///< What is known of the region's eye rays; null: nothing.
 };
 
 /// Rays that a tile took.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
 // SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
-// nothing there), and SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
-// integrators/record.h). Everything that depends on them lives in an inline namespace of its own, so units of different
-// kinds can be linked together.
+// nothing there), SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
+// integrators/record.h), and SUNDOG_KERNEL_SHORTCUTS, set where hits and shadows may be known before they are traced.
+// Everything that depends on them lives in an inline namespace of its own, so units of different kinds can be linked
+// together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
 
@@ -62,6 +63,8 @@ namespace sundog::kernel {
 class HostFields;
 class IndirectLight;
 class PhotonLight;
+struct EyeHits;
+struct LightCells;
 
 /// What the kernel sees of a RenderScene and a Frame: plain pointers to every array (kernel/arrays.h).
 struct SceneView {
@@ -73,6 +76,8 @@ struct SceneView {
     const HostFields* host_fields = nullptr;  ///< Set where some program asks (kernel/patterns/host_fields.h).
     const IndirectLight* indirect = nullptr;  ///< Set where FEATURE_RADIOSITY is (kernel/lights/indirect.h).
     const PhotonLight* photons = nullptr;     ///< Set where FEATURE_PHOTONS is (kernel/lights/photon_light.h).
+    const EyeHits* eye_hits = nullptr;        ///< The device's own: what is known of first hits before they are traced.
+    const LightCells* light_cells = nullptr;  ///< Likewise: what is known of the shadows of each light.
     uint first_ray_kind = RAY_CAMERA;         ///< RAY_* of the rays that whitted_radiance() starts with.
 };
 

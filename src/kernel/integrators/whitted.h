@@ -6,6 +6,10 @@
 //     the nearest hit in (t_min, t_max); geometry NONE on a miss
 //   mask trace_any(SCENE Ray ray, mask alive, word ray_kind)
 //     true where anything, opaque or not, lies in between
+// Where SUNDOG_KERNEL_SHORTCUTS is defined, trace_closest takes one argument more: what is known of the hits beforehand
+// (SceneView::eye_hits), or null; and there is
+//   mask unknown_shadows(SCENE uint light, real3 origin, word primitive, mask lit, OUT(mask) dark)
+//     what is left of `lit` by what is known of a light's shadows (SceneView::light_cells); dark: known not to be lit
 // ray_kind is one of RAY_*; the lanes' rays start or end close together where `together` says so. Lanes that aren't
 // alive may return anything.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
@@ -55,7 +59,12 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
     bool is_first = true;
     while (true) {
         counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
+#ifdef SUNDOG_KERNEL_SHORTCUTS
+        bool from_eye = is_first && path.nesting == 0u;
+        Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, is_first, from_eye ? scene.eye_hits : nullptr);
+#else
         Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, is_first);
+#endif
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
 #ifdef __cplusplus

@@ -104,6 +104,18 @@ FN void direct_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, r
                             asked.flags = light.flags | LIGHT_PHOTONS_NEVER_REFRACT;
                         }
                     }
+#ifdef SUNDOG_KERNEL_SHORTCUTS
+                    if (scene.light_cells != nullptr) {
+                        mask dark;
+                        mask unknown = unknown_shadows(SCENE_ i, s.position + off, s.primitive, here, dark);
+                        light_color = select(dark, real3(real(0.0f)), light_color);
+                        // Rays all the same, however they are answered.
+                        word known = select(mask_and(here, mask_not(unknown)), word(1u), word(0u));
+                        counts.rays = counts.rays + known;
+                        counts.shadow_rays = counts.shadow_rays + known;
+                        here = unknown;
+                    }
+#endif
                     if (any_lane(here)) {
                         real3 passes =
                             light_visibility(SCENE_ asked, s.position + off, to_light, distance, media, here, counts);
