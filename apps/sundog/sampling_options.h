@@ -2,7 +2,6 @@
 // `sundog render`: how many samples a pixel gets, and where they go.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 
@@ -10,6 +9,10 @@
 #include "session/contrast.h"
 #include "session/error_driven.h"
 #include "session/recursive.h"
+
+namespace CLI {
+class App;
+}
 
 namespace sundog::app {
 

@@ -87,12 +87,22 @@ FN real filter_place(uint pixel_filter, real u) {
     if (pixel_filter == FILTER_TENT) {
         place = 1.0f - sqrt(max(1.0f - share, real(0.0f)));
     } else {
-        place = real(0.5f);
-        float step = 0.25f;
-        for (uint i = 0u; i < 20u; i = i + 1u) {
-            place = place + select(filter_share(pixel_filter, place) < share, real(step), real(-step));
-            step = step * 0.5f;
+        // Halved until it is nearly straight, then straight.
+        real low = real(0.0f);
+        real high = real(1.0f);
+        real share_low = real(0.0f);
+        real share_high = real(1.0f);
+        for (uint i = 0u; i < 7u; i = i + 1u) {
+            real middle = (low + high) * 0.5f;
+            real share_middle = filter_share(pixel_filter, middle);
+            mask beyond = share_middle < share;
+            low = select(beyond, middle, low);
+            share_low = select(beyond, share_middle, share_low);
+            high = select(beyond, high, middle);
+            share_high = select(beyond, share_high, share_middle);
         }
+        place = low + (high - low) * ((share - share_low) / max(share_high - share_low, real(1e-10f)));
+        place = clamp(place, low, high);
     }
     return select(signed_share < real(0.0f), -place, place);
 }
