@@ -61,25 +61,27 @@ std::vector<Way> ways_of_squares() {
                             {pattern, pattern == kernel::SAMPLES_SOBOL ? 0 : side, kernel::FILTER_PIXEL, 0},
                             fixed(side * side)});
     for (const auto& [threshold, samples] : {std::pair{0.3, 9U}, {0.1, 9U}, {0.1, 25U}, {0.03, 64U}})
-        ways.push_back({fmt::format("adaptive {:g}, {}", threshold, samples),
-                        {},
-                        [threshold, samples](Session& session, const Frame& frame, const StopFlag& stop) {
-                            return session.render_adaptive(frame, {.threshold = threshold, .samples = samples}, {},
-                                                           stop);
-                        }});
+        ways.push_back(
+            {fmt::format("adaptive {:g}, {}", threshold, samples),
+             {},
+             [threshold = threshold, samples = samples](Session& session, const Frame& frame, const StopFlag& stop) {
+                 return session.render_adaptive(frame, {.threshold = threshold, .samples = samples}, {}, stop);
+             }});
     for (const auto& [threshold, samples] : {std::pair{0.3, 9U}, {0.1, 25U}})
-        ways.push_back({fmt::format("preview 0.1, adaptive {:g}, {}", threshold, samples),
-                        {},
-                        [threshold, samples](Session& session, const Frame& frame, const StopFlag& stop) {
-                            return session.render_adaptive(
-                                frame, {.threshold = threshold, .samples = samples, .preview = 0.1F}, {}, stop);
-                        }});
+        ways.push_back(
+            {fmt::format("preview 0.1, adaptive {:g}, {}", threshold, samples),
+             {},
+             [threshold = threshold, samples = samples](Session& session, const Frame& frame, const StopFlag& stop) {
+                 return session.render_adaptive(frame, {.threshold = threshold, .samples = samples, .preview = 0.1F},
+                                                {}, stop);
+             }});
     for (const auto& [threshold, depth] : {std::pair{0.3, 2}, {0.1, 3}, {0.03, 4}})
-        ways.push_back({fmt::format("recursive {:g}, depth {}", threshold, depth),
-                        {},
-                        [threshold, depth](Session& session, const Frame& frame, const StopFlag& stop) {
-                            return session.render_recursive(frame, {.threshold = threshold, .depth = depth}, {}, stop);
-                        }});
+        ways.push_back(
+            {fmt::format("recursive {:g}, depth {}", threshold, depth),
+             {},
+             [threshold = threshold, depth = depth](Session& session, const Frame& frame, const StopFlag& stop) {
+                 return session.render_recursive(frame, {.threshold = threshold, .depth = depth}, {}, stop);
+             }});
     for (const double error : {0.1, 0.03, 0.01})
         ways.push_back({fmt::format("target error {:g}", error),
                         {},
