@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "compile/compile.h"
@@ -85,8 +86,9 @@ std::vector<Way> ways_of_squares() {
     for (const double error : {0.1, 0.03, 0.01})
         ways.push_back({fmt::format("target error {:g}", error),
                         {},
-                        [error](Session& session, const Frame& frame, const StopFlag& stop) -> RenderResult {
-                            return session.render_to_error(frame, {.error = error}, {}, stop);
+                        [error](Session& session, const Frame& frame, const StopFlag& stop) {
+                            ErrorDrivenResult result = session.render_to_error(frame, {.error = error}, {}, stop);
+                            return RenderResult{std::move(result.film), result.stats, result.seconds, result.stopped};
                         }});
     return ways;
 }

@@ -80,16 +80,17 @@ private:
     /// False if none gets any.
     bool mark_next() {
         // Errors of pixels that get nothing stay what they are: of the others alone some are done.
+        const std::uint32_t most_blocks = target_.most_samples / kSampleBlock;
         double need = 0;
         std::erase_if(marked_, [&](std::uint32_t i) {
             const float error = errors_.error_around(i);
             const auto blocks = static_cast<double>(errors_.blocks(i));
-            const bool wanted = error > aim_ && (blocks + 1) * kSampleBlock <= target_.most_samples;
+            const bool wanted = error > aim_ && errors_.blocks(i) < most_blocks;
             marks_[i] = wanted ? 1 : 0;
             if (wanted) {
                 // Errors fall with the root of the number of blocks.
                 const double ratio = std::isfinite(error) ? error / aim_ : 2;
-                need += std::min(blocks * (ratio * ratio - 1), target_.most_samples / kSampleBlock - blocks);
+                need += std::min(blocks * (ratio * ratio - 1), static_cast<double>(most_blocks) - blocks);
             }
             return !wanted;
         });
