@@ -12,6 +12,7 @@
 
 #include "compile/compile.h"
 #include "device/choose/choose.h"
+#include "film_image.h"
 #include "gallery.h"
 #include "import/import.h"
 #include "output/compare.h"
@@ -20,13 +21,6 @@
 
 namespace sundog::bench {
 namespace {
-
-output::Image image_of(const Film& film) {
-    output::Image image(film.bounds.width(), film.bounds.height());
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) image.at(x, y) = film.mean(x, y);
-    return image;
-}
 
 /// A way to make a picture.
 struct Way {

@@ -181,5 +181,23 @@ TEST(Sampling, ErrorsAreWhatWasAskedFor) {
     EXPECT_LT(outside, kWidth * kHeight / 20);
 }
 
+// Catches light between surfaces that is gathered anew because samples go elsewhere in their pixels.
+TEST(Sampling, RadiosityIsGatheredOnce) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "radiosity_samples.pov";
+    std::ofstream(file) << "#version 3.7; global_settings { assumed_gamma 1 radiosity { count 40 } }"
+                           " camera { location <0, 1, -4> look_at 0 } background { rgb 1 }"
+                           " sphere { 0, 1 pigment { rgb 0.7 } } plane { y, -1 pigment { rgb 0.5 } }";
+    const Loaded scene = load(file);
+    Session session = session_with(scene);
+    const auto rays_of = [&](std::uint32_t pattern) {
+        Film film({0, 0, kWidth, kHeight});
+        const Frame frame = scene.frame({pattern, 0, kernel::FILTER_PIXEL, 0});
+        return session.render_into(frame, 0, 1, film, StopFlag{}).rays;
+    };
+    const std::uint64_t first = rays_of(kernel::SAMPLES_R2), again = rays_of(kernel::SAMPLES_R2);
+    EXPECT_GT(first, again * 3 / 2) << "the first picture gathers";
+    EXPECT_LT(rays_of(kernel::SAMPLES_SOBOL), again * 5 / 4);
+}
+
 }  // namespace
 }  // namespace sundog

@@ -116,8 +116,7 @@ public:
     RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
         Totals totals(structure_.get());
         arena_.execute([&] {
-            traversal().update(frame);
-            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            if (!prepare(frame, stop, totals)) return;
             const cpu::raster::FrameRaster* const raster = prepare_raster(frame);
             prepare_light_buffers(frame, work.region.width() >= kTileSide && work.region.height() >= kTileSide / 2);
             for_each_tile(work.region, kTileSide,
@@ -134,11 +133,8 @@ public:
         if (!can_refine(frame) || !(work.tolerance > 0)) return Device::refine(frame, work, film, stop);
         Totals totals(structure_.get());
         arena_.execute([&] {
-            traversal().update(frame);
-            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            kernel::SceneView view = cpu::view_of(*scene_, frame, traversal().handle());
-            view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
-            view.photons = photons_ ? photons_->photons.get() : nullptr;
+            if (!prepare(frame, stop, totals)) return;
+            const kernel::SceneView view = prepared_view(frame);
             for_each_tile(film.bounds, sampling::kRefinedTileSide,
                           [&](const PixelRect& tile) { refine_tile(view, tile, work, film, stop, totals); });
         });
@@ -149,8 +145,7 @@ public:
                                const StopFlag& stop) override {
         Totals totals(structure_.get());
         arena_.execute([&] {
-            traversal().update(frame);
-            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
+            if (!prepare(frame, stop, totals)) return;
             const cpu::raster::FrameRaster* const raster = prepare_raster(frame);
             prepare_light_buffers(frame, regions.size() >= kManyRegions);
             tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
@@ -168,11 +163,8 @@ public:
                              const StopFlag& stop) override {
         Totals totals(structure_.get());
         arena_.execute([&] {
-            traversal().update(frame);
-            if (!prepare_photons(frame, stop, totals) || !prepare_radiosity(frame, stop, totals)) return;
-            kernel::SceneView view = cpu::view_of(*scene_, frame, traversal().handle());
-            view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
-            view.photons = photons_ ? photons_->photons.get() : nullptr;
+            if (!prepare(frame, stop, totals)) return;
+            const kernel::SceneView view = prepared_view(frame);
             constexpr std::size_t kAtOnce = 256;  // A multiple of every packet's size.
             tbb::parallel_for(std::size_t{0}, (places.size() + kAtOnce - 1) / kAtOnce, [&](std::size_t part) {
                 if (stop.requested()) {
@@ -239,10 +231,25 @@ private:
     static bool same_light(const Frame& a, const Frame& b) {
         kernel::FrameParams p = a.params;
         p.aovs = b.params.aovs;
+        p.sampling = b.params.sampling;
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other bits of the same number ask for another round
         return std::memcmp(&p, &b.params, sizeof p) == 0 && same_bytes(a.lights, b.lights) &&
                same_bytes(a.instances, b.instances) && a.radiosity == b.radiosity && a.photons == b.photons &&
                a.camera_rays == b.camera_rays;
+    }
+
+    /// Makes the scene, its photons and its radiosity those of the frame; false if it was stopped.
+    bool prepare(const Frame& frame, const StopFlag& stop, Totals& totals) {
+        traversal().update(frame);
+        return prepare_photons(frame, stop, totals) && prepare_radiosity(frame, stop, totals);
+    }
+
+    /// What the kernel sees of a frame for which all that is prepared.
+    [[nodiscard]] kernel::SceneView prepared_view(const Frame& frame) const {
+        kernel::SceneView view = cpu::view_of(*scene_, frame, traversal().handle());
+        view.indirect = radiosity_ ? &radiosity_->radiosity->light() : nullptr;
+        view.photons = photons_ ? photons_->photons.get() : nullptr;
+        return view;
     }
 
     /// Shoots what the frame needs, if it hasn't been; false if it was stopped.
