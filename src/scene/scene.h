@@ -13,13 +13,10 @@
 #include "base/vec.h"
 #include "scene/photons.h"
 #include "scene/pigment.h"
+#include "scene/principled.h"
 #include "scene/solid.h"
 
 namespace sundog::scene {
-
-/// Index into one of the Scene's vectors; kNone for "not set".
-using Index = std::uint32_t;
-inline constexpr Index kNone = 0xffffffffU;
 
 /// const, wave or linear motion of one number: base + amplitude*sin(speed*t) or speed*t. Angles in degrees,
 /// speeds in radians per second (wave) or degrees per second (linear), t in seconds.
@@ -141,16 +138,6 @@ struct Texture {
     bool srgb = true;
 };
 
-/// How a material uses a texture (MTL options -s -o -clamp -bm -imfchan and the like, already resolved).
-struct TextureUse {
-    Index texture = kNone;
-    Vec2 scale{1, 1};
-    Vec2 offset{0, 0};
-    bool clamp = false;        ///< Outside 0..1: clamp instead of repeat.
-    float strength = 1;        ///< Bump multiplier.
-    std::uint8_t channel = 0;  ///< For scalar maps: 0 r, 1 g, 2 b, 3 alpha (matte), 4 luminance.
-};
-
 /// Two-colour checker on UVs: cells_u * cells_v squares per unit square; diffuse alternates with `other`.
 struct Checker {
     float cells_u = 8, cells_v = 8;
@@ -181,6 +168,8 @@ struct Material {
     Boxed<MtlSurface> mtl;
     /// A procedural surface, in which case `mtl` doesn't count.
     Boxed<PatternedSurface> patterned;
+    /// A physically based surface, in which case neither of the others counts.
+    Boxed<PrincipledSurface> principled;
 };
 
 /// Triangles with indices into shared vertex arrays. Every index is in range; every number finite.
@@ -281,6 +270,16 @@ struct SkySphere {
     PigmentColor emission{1, 1, 1, 0, 0};
 };
 
+/// Light from infinitely far away: a picture of all directions (latitude and longitude), its top row upwards.
+struct Environment {
+    std::string name;
+    std::uint32_t width = 0, height = 0;
+    std::vector<Vec3> radiance;  ///< Linear RGB, width*height, row 0 at the top.
+    Vec3 up{0, 0, 1};            ///< Unit.
+    Vec3 middle{0, 1, 0};        ///< Where the picture's middle column lies; unit, across up.
+    float gain = 1;              ///< Times radiance.
+};
+
 /// Light that surfaces send each other (POV-Ray's reference, section 3.4.4.3 "Radiosity", whose names and defaults
 /// these are).
 struct Radiosity {
@@ -315,6 +314,7 @@ struct Scene {
     std::vector<Rainbow> rainbows;
     std::vector<Medium> atmosphere;  ///< Media that are everywhere.
     std::vector<SkySphere> sky_spheres;
+    std::optional<Environment> environment;  ///< Instead of `sky`.
     std::optional<Radiosity> radiosity;
     std::optional<Photons> photons;
     Settings settings;
