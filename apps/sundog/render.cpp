@@ -173,6 +173,22 @@ void add_render(CLI::App& program, Action& action) {
             "cost: instead of the picture, how many steps through the structure each pixel takes; rays: the pixels "
             "that --preview traces are white")
         ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--integrator",
+            [&a](Text text) {
+                a.frame.integrator = parse_choice("--integrator", text, {"whitted", "path"}) == "path"
+                                         ? kernel::INTEGRATOR_PATH
+                                         : kernel::INTEGRATOR_WHITTED;
+            },
+            "whitted (mirrors, glass and sharp shadows; default) or path (all light there is, with noise that fades)")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--seed",
+            [&a](Text text) { a.frame.seed = static_cast<std::uint32_t>(parse_int("--seed", text, 0, 1000000000)); },
+            "Another number, another noise, for --integrator path (0)")
+        ->type_name("N");
     add_sampling_options(*command, a.sampling);
     command
         ->add_option_function<std::string>(

@@ -8,6 +8,7 @@
 
 #include "compile/camera.h"
 #include "compile/convert.h"
+#include "compile/emitters.h"
 #include "compile/material.h"
 #include "compile/mesh.h"
 #include "compile/pattern_compiler.h"
@@ -44,6 +45,9 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
         } else {
             const kernel::MaterialMaps maps = compile_maps(*m.mtl, scene.textures);
             out.materials.push_back(compile_material(*m.mtl, maps));
+            kernel::Material& compiled = out.materials.back();
+            compiled.emission_power = emission_power({compiled.emission.x, compiled.emission.y, compiled.emission.z},
+                                                     maps.emission.texture, scene.textures);
             if (any_map(maps)) {
                 out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
                 out.material_maps.push_back(maps);
@@ -290,6 +294,8 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         list.add_bounds(world_bounds_of(object, bounds_of(object)));
     }
     list.finish(warn);
+    find_shining(*out);
+    if (scene.environment) compile_environment(*scene.environment, *out);
     out->features = features_of(*out, attributes, list.moving());
     const auto grouped = [](const scene::Light& light) { return light.group != 0; };
     if (!scene.light_sets.empty() || std::any_of(scene.lights.begin(), scene.lights.end(), grouped))

@@ -6,6 +6,7 @@
 
 #include "compile/compile.h"
 #include "compile/convert.h"
+#include "compile/emitters.h"
 #include "compile/insides_at.h"
 #include "compile/lights.h"
 
@@ -242,8 +243,19 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
         params.features |= kernel::FEATURE_ATMOSPHERE;
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
-    if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
-    if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
+    params.environment = compiled.environment;
+    if (params.environment.width > 0) params.features |= kernel::FEATURE_ENVIRONMENT;
+    params.integrator = options.integrator;
+    params.seed = options.seed;
+    if (options.integrator == kernel::INTEGRATOR_PATH) {
+        // Paths find the light that these stand for.
+        params.ambient = {0, 0, 0};
+        list_emitters(compiled, frame);
+    } else {
+        frame.emitters.resize(1);
+        if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
+        if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
+    }
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

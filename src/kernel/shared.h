@@ -44,11 +44,13 @@ KERNEL_CONST uint LIGHT_CYLINDER = 3u;  ///< Within a cylinder around Light::axi
 /// Light::flags.
 KERNEL_CONST uint LIGHT_SHADOWS = 1u;
 KERNEL_CONST uint LIGHT_HIGHLIGHTS = 2u;
-KERNEL_CONST uint LIGHT_CIRCULAR = 4u;        ///< An area's grid is bent to a disc.
-KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit point.
-KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
-KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
-KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
+KERNEL_CONST uint LIGHT_CIRCULAR = 4u;      ///< An area's grid is bent to a disc.
+KERNEL_CONST uint LIGHT_ORIENT = 8u;        ///< An area turns to face the lit point.
+KERNEL_CONST uint LIGHT_JITTER = 16u;       ///< An area's lights are moved about within their cells.
+KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;  ///< An area lights from all of its lights, not only from its middle.
+KERNEL_CONST uint LIGHT_ATTENUATED = 256u;  ///< Fog and the atmosphere's media dim it on its way.
+/// Paths meet it, so what bends light stands in its way.
+KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
 
 /// What a light does with photons; see Geometry::photons.
@@ -90,6 +92,16 @@ KERNEL_CONST uint CAMERA_OMNIMAX = 4u;
 KERNEL_CONST uint CAMERA_PANORAMIC = 5u;
 KERNEL_CONST uint CAMERA_CYLINDER = 6u;  ///< 6 to 9: types 1 to 4
 KERNEL_CONST uint CAMERA_SPHERICAL = 10u;
+
+/// FrameParams::integrator.
+KERNEL_CONST uint INTEGRATOR_WHITTED = 0u;
+KERNEL_CONST uint INTEGRATOR_PATH = 1u;
+
+/// Emitter::kind.
+KERNEL_CONST uint EMITTER_TRIANGLE = 0u;
+KERNEL_CONST uint EMITTER_SPHERE = 1u;
+KERNEL_CONST uint EMITTER_LIGHT = 2u;
+KERNEL_CONST uint EMITTER_ENVIRONMENT = 3u;
 
 /// Material::flags.
 KERNEL_CONST uint MATERIAL_PHONG = 1u;         ///< Highlight by Phong's mirrored ray; else Blinn's halfway vector.
@@ -259,8 +271,9 @@ KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send e
 KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
 KERNEL_CONST uint FEATURE_HOLLOW =
     4194304u;  ///< Media; or fog, and something that isn't hollow: rays keep MediaInsides.
-KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;    ///< Caustics by photons (the CPU device's alone).
-KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;  ///< Some interior brightens shadows (POV-Ray's `caustics`).
+KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;       ///< Caustics by photons (the CPU device's alone).
+KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;     ///< Some interior brightens shadows (POV-Ray's `caustics`).
+KERNEL_CONST uint FEATURE_ENVIRONMENT = 33554432u;  ///< FrameParams::environment is what rays see that miss all else.
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
@@ -367,6 +380,8 @@ struct Material {
     vec2 checker_cells;
     uint maps;       ///< Into `material_maps`.
     uint patterned;  ///< Into `patterned`, if MATERIAL_PATTERNED.
+    /// Mean luminance of what it emits, where paths aim at surfaces that shine; 0: they don't at its.
+    float emission_power;
 };
 
 /// The textures of a material. Number 0 has none.
@@ -436,6 +451,32 @@ struct Light {
     uint projection;   ///< RAY_* bit of the object that it shines through alone; 0: none.
 };
 
+/// Something that paths aim at for its light, as an entry of an alias table (kernel/lights/emitter.h).
+struct Emitter {
+    uint kind;      ///< EMITTER_*
+    uint index;     ///< Into triangles, spheres or lights.
+    uint geometry;  ///< Of the triangle or sphere.
+    float keep;     ///< Share of the entry's turns that are its own,
+    uint alias;     ///< and whose the others are.
+    float probability;
+};
+
+/// A cell of the environment, as an entry of an alias table.
+struct EnvironmentCell {
+    float keep;
+    uint alias;
+    float density;  ///< Over solid angle, of a direction in it, times the sine of its angle to the axis.
+};
+
+/// What is around the scene, infinitely far away: see kernel/atmosphere/environment.h.
+struct Environment {
+    vec3 up, middle, right;       ///< Unit: the axis, the direction of the picture's middle, and that to its right.
+    uint width, height;           ///< Of the picture, in `environment_pixels`.
+    uint cells_wide, cells_high;  ///< Of the grid by which directions are drawn, in `environment_cells`.
+    float gain;
+    float probability;  ///< With which it is drawn among the emitters.
+};
+
 /// Pinhole: a ray through image point (x, y) in [0,1]^2 (y down) starts at eye, towards
 /// center + right*(2x-1) + up*(1-2y). Other kinds use the same vectors in their own way.
 struct Camera {
@@ -497,6 +538,11 @@ struct FrameParams {
     float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
                           ///< scenes whose numbers are sRGB-encoded.
     uint seed;
+    uint integrator;     ///< INTEGRATOR_*
+    uint emitter_count;  ///< 0: nothing that paths could aim at.
+    float
+        emitted_power;  ///< What emitters' probabilities are shares of: emission_power times area, for those with one.
+    Environment environment;
     uint rainbows;    ///< A list of them in `code`, or NONE.
     uint atmosphere;  ///< Media that are everywhere: a list of them in `code`, or NONE.
     uint

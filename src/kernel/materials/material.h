@@ -27,6 +27,21 @@ struct Lobes {
                      ///< through.
 };
 
+/// What a material emits, at a place of its texture.
+FN real3 emission_at(SCENE word material, real2 uv) {
+    real3 emission = FIELD(materials, material, emission);
+    if (!FEATURE(FEATURE_TEXTURES)) return emission;
+    word maps = FIELD(materials, material, maps);
+    word texture = FIELD(material_maps, maps, emission.texture);
+    mask used = texture != word(NONE);
+    if (!any_lane(used)) return emission;
+    real alpha;
+    real3 color = texture_lookup(
+        SCENE_ valid_index(used, texture), FIELD(material_maps, maps, emission.flags),
+        uv * FIELD(material_maps, maps, emission.scale) + FIELD(material_maps, maps, emission.offset), alpha);
+    return select(used, emission * color, emission);
+}
+
 /// Textures' part of evaluate_material.
 FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     mask checker = (flags & word(MATERIAL_CHECKER)) != word(0u);
