@@ -114,6 +114,25 @@ KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, 
 KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material::patterned says which.
 KERNEL_CONST uint MATERIAL_BACKLIT = 128u;   ///< Light on its back is seen from the front.
 
+/// Bsdf::kind (kernel/bsdf).
+KERNEL_CONST uint BSDF_PRINCIPLED = 0u;
+KERNEL_CONST uint BSDF_OREN_NAYAR = 1u;
+KERNEL_CONST uint BSDF_PHONG = 2u;
+KERNEL_CONST uint BSDF_BLINN_PHONG = 3u;
+KERNEL_CONST uint BSDF_WARD = 4u;
+KERNEL_CONST uint BSDF_COOK_TORRANCE = 5u;
+KERNEL_CONST uint BSDF_BECKMANN = 6u;   ///< A metal of Beckmann's facets,
+KERNEL_CONST uint BSDF_CONDUCTOR = 7u;  ///< and of GGX's.
+KERNEL_CONST uint BSDF_DIELECTRIC = 8u;
+
+/// Where what stands in `bsdf_tables`: a table's rows are roughnesses, its columns cosines
+/// (kernel/bsdf/albedo_tables.h).
+KERNEL_CONST uint BSDF_TABLE_SIDE = 32u;
+KERNEL_CONST uint BSDF_TABLE_GGX = 0u;           ///< Two numbers each.
+KERNEL_CONST uint BSDF_TABLE_GGX_MEANS = 2048u;  ///< A column of two numbers each.
+KERNEL_CONST uint BSDF_TABLE_SHEEN = 2112u;
+KERNEL_CONST uint BSDF_TABLE_FLOATS = 3136u;
+
 /// Layer::flags.
 KERNEL_CONST uint LAYER_FRESNEL = 1u;          ///< Reflection follows Fresnel's equations by the interior's ior.
 KERNEL_CONST uint LAYER_CONSERVE_ENERGY = 2u;  ///< What is reflected doesn't pass through.
@@ -267,6 +286,7 @@ KERNEL_CONST uint FEATURE_LIGHT_GROUPS = 65536u;  ///< Some light doesn't reach 
 KERNEL_CONST uint FEATURE_DISPERSION = 131072u;   ///< Some interior disperses light (the CPU device's alone).
 KERNEL_CONST uint FEATURE_EXPONENTS = 262144u;    ///< Some layer has a reflection_exponent (the CPU device's alone).
 
+KERNEL_CONST uint FEATURE_BSDF = 524288u;        ///< Some material has a Bsdf.
 KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
 KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
 KERNEL_CONST uint FEATURE_HOLLOW =
@@ -382,6 +402,28 @@ struct Material {
     uint patterned;  ///< Into `patterned`, if MATERIAL_PATTERNED.
     /// Mean luminance of what it emits, where paths aim at surfaces that shine; 0: they don't at its.
     float emission_power;
+    uint bsdf;  ///< Into `bsdfs`, by which paths scatter; NONE: by the above.
+};
+
+/// A reflection model of a material, for paths (kernel/bsdf). Kinds use what they need.
+struct Bsdf {
+    uint kind;  ///< BSDF_*
+    vec3 color;
+    float alpha_x, alpha_y;  ///< As in BsdfPoint.
+    vec3 n, k;               ///< A metal's index of refraction.
+    float ior;
+    // BSDF_PRINCIPLED.
+    float metallic, roughness;
+    float specular;
+    vec3 specular_color;
+    float transmission;
+    uint thin;         ///< 1: a wall without thickness.
+    vec3 attenuation;  ///< Light inside dims by exp(-attenuation * distance).
+    float coat, coat_roughness;
+    vec3 sheen;
+    float sheen_roughness;
+    float film, film_ior, film_least_nm, film_most_nm;
+    float anisotropy, anisotropy_rotation;
 };
 
 /// The textures of a material. Number 0 has none.

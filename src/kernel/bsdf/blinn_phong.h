@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions drawn for highlights: halfway vectors by a power of their cosine (Blinn, Models of Light Reflection for
-// Computer Synthesized Pictures, 1977).
+// Highlights by a power of the halfway vector's cosine (Blinn, Models of Light Reflection for Computer Synthesized
+// Pictures, SIGGRAPH 1977).
 #ifndef SUNDOG_KERNEL_BSDF_BLINN_PHONG_H
 #define SUNDOG_KERNEL_BSDF_BLINN_PHONG_H
 
 #include "kernel/bsdf/frame.h"
 
 KERNEL_BEGIN
+
+/// As a BSDF that sends back all light that comes along the normal (Giesen, Phong Normalization Factor derivation,
+/// 2009), and less of other light.
+FN real blinn_phong_value(real3 to_eye, real3 to_light, real exponent) {
+    real3 halfway = to_eye + to_light;
+    real reach = sqrt(max(dot(halfway, halfway), real(1e-20f)));
+    real whole = (exponent + 2.0f) * (exponent + 4.0f) * 0.0397887358f / (exp2_clamped(exponent * -0.5f) + exponent);
+    return whole * power(max(halfway.z, real(0.0f)) / reach, exponent);
+}
 
 /// The direction that a halfway vector mirrors `to_eye` to, all local; vectors may come to lie below the surface.
 FN real3 blinn_phong_direction(real3 to_eye, real exponent, real2 u) {
