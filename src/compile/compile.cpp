@@ -160,7 +160,7 @@ public:
 
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
-        if (object.motion) geometry.instance = instance_count_++;
+        if (scene::moves(object)) geometry.instance = instance_count_++;
         geometry.hidden_from = hidden_from(object, some_project_, photons_);
         if (photons_) geometry.photons = targets_.photons_of(object_);
         out_.geometries.push_back(geometry);
@@ -189,7 +189,7 @@ private:
     /// A scene may consist of a million spheres, each an object: those in a row that go by one name are one geometry.
     [[nodiscard]] bool continues_run(const kernel::Geometry& g, const scene::Object& object) const {
         if (g.kind == kernel::GEOMETRY_SOLID || g.kind == kernel::GEOMETRY_PLANE || out_.geometries.empty() ||
-            object.motion)
+            scene::moves(object))
             return false;
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
@@ -224,8 +224,8 @@ Bounds3 bounds_of(const scene::Object& object) {
 }
 
 Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
-    if (!object.motion || bounds.empty()) return bounds;
-    const Affine3 world_from_object = scene::transform_at(*object.motion, 0);
+    if (!scene::moves(object) || bounds.empty()) return bounds;
+    const Affine3 world_from_object = scene::transform_at(object, 0);
     Bounds3 world;
     for (unsigned corner = 0; corner < 8; ++corner)
         world.include(transform_point(world_from_object, {(corner & 1U) ? bounds.upper.x : bounds.lower.x,

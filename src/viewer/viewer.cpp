@@ -236,7 +236,7 @@ void Viewer::submit() {
     frame.radiosity = false;  // Gathering it takes far longer than a frame may.
     if (const auto& own = scene_->scene.projection_camera) {
         using Kind = scene::ProjectionCamera::Kind;
-        camera_.follow(camera_at(*own, aspect), own->kind == Kind::orthographic);
+        camera_.follow(camera_at(scene::placed_at(*own, frame.time_s), aspect), own->kind == Kind::orthographic);
         // Until the user takes over, other kinds than a pinhole are the scene's business.
         if (camera_.is_free() || own->kind == Kind::perspective) frame.camera = camera_.camera(aspect);
     } else {
