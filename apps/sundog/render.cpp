@@ -127,7 +127,7 @@ void add_render(CLI::App& program, Action& action) {
     RenderArguments& a = *arguments;
     using Text = const std::string&;
 
-    command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
+    command->add_option("scene", a.scene, "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
     command->add_option(
         "-o,--output", a.output,
         "Picture (.png .jpg .exr .hdr .ppm .tga .bmp), video (.mp4 .webm .gif), or - for standard output");
