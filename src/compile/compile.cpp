@@ -12,6 +12,7 @@
 #include "compile/mesh.h"
 #include "compile/pattern_compiler.h"
 #include "compile/photon_targets.h"
+#include "compile/principled.h"
 #include "compile/solid.h"
 #include "solids/compiled_solid.h"
 
@@ -39,11 +40,13 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
     out.material_maps.push_back(no_maps());
     out.materials.reserve(scene.materials.size());
     for (const scene::Material& m : scene.materials) {
-        if (m.patterned) {
+        if (m.patterned && !m.principled) {
             out.materials.push_back(patterns.compile_surface(m));
         } else {
-            const kernel::MaterialMaps maps = compile_maps(*m.mtl, scene.textures);
-            out.materials.push_back(compile_material(*m.mtl, maps));
+            const kernel::MaterialMaps maps =
+                m.principled ? compile_maps(*m.principled, scene.textures) : compile_maps(*m.mtl, scene.textures);
+            out.materials.push_back(m.principled ? compile_material(*m.principled, maps, scene.textures)
+                                                 : compile_material(*m.mtl, maps));
             if (any_map(maps)) {
                 out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
                 out.material_maps.push_back(maps);
@@ -53,7 +56,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
     patterns.compile_sky();
     if (scene.projection_camera && scene.projection_camera->normal)
         out.camera_normal = patterns.normals_of(*scene.projection_camera->normal);
-    if (out.materials.empty()) out.materials.push_back(compile_material({}, no_maps()));
+    if (out.materials.empty()) out.materials.push_back(compile_material(scene::MtlSurface{}, no_maps()));
 }
 
 /// What of the camera the kernel doesn't have.

@@ -26,19 +26,6 @@ std::uint32_t wrap_flags(const scene::TextureUse& use) {
            (use.wrap_v == Wrap::mirror ? kernel::TEXTURE_MIRROR_V : 0U);
 }
 
-kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures) {
-    kernel::TextureRef ref{};
-    ref.texture = use.texture < textures.size() && !textures[use.texture].rgba8.empty() ? use.texture : kernel::NONE;
-    ref.flags = wrap_flags(use) | (std::uint32_t{use.channel} << kernel::TEXTURE_CHANNEL_SHIFT) |
-                (use.nearest ? kernel::TEXTURE_NEAREST : 0U);
-    ref.scale = to_kernel(use.scale);
-    if (!(use.shear == Vec2{})) ref.flags |= kernel::TEXTURE_TURNED;
-    ref.shear = to_kernel(use.shear);
-    ref.offset = to_kernel(use.offset);
-    ref.strength = use.strength;
-    return ref;
-}
-
 bool refracts(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
 bool mirrors(int illum) { return illum >= 3 && illum <= 8; }
 bool fresnel(int illum) { return illum == 5 || illum == 7; }
@@ -77,6 +64,19 @@ void set_pbr(const scene::MtlSurface& m, kernel::Material& out) {
 }
 
 }  // namespace
+
+kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures) {
+    kernel::TextureRef ref{};
+    ref.texture = use.texture < textures.size() && !textures[use.texture].rgba8.empty() ? use.texture : kernel::NONE;
+    ref.flags = wrap_flags(use) | (std::uint32_t{use.channel} << kernel::TEXTURE_CHANNEL_SHIFT) |
+                (use.nearest ? kernel::TEXTURE_NEAREST : 0U);
+    ref.scale = to_kernel(use.scale);
+    if (!(use.shear == Vec2{})) ref.flags |= kernel::TEXTURE_TURNED;
+    ref.shear = to_kernel(use.shear);
+    ref.offset = to_kernel(use.offset);
+    ref.strength = use.strength;
+    return ref;
+}
 
 kernel::MaterialMaps no_maps() {
     kernel::MaterialMaps maps{};
