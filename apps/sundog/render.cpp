@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render.h"
+#include "scene/deformation.h"
 
 #include <fmt/format.h>
 
@@ -100,7 +101,8 @@ int render(RenderArguments arguments) {
 
     WarningPrinter warnings;
     const WarningSink warn = warnings.sink();
-    const scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
@@ -127,7 +129,7 @@ void add_render(CLI::App& program, Action& action) {
     RenderArguments& a = *arguments;
     using Text = const std::string&;
 
-    command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
+    command->add_option("scene", a.scene, "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
     command->add_option(
         "-o,--output", a.output,
         "Picture (.png .jpg .exr .hdr .ppm .tga .bmp), video (.mp4 .webm .gif), or - for standard output");

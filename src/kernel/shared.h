@@ -262,6 +262,18 @@ KERNEL_CONST uint TEXTURE_SRGB = 1u;
 /// TextureRef::flags: clamp, and the channel of scalar maps in bits 1..3 (0 r, 1 g, 2 b, 3 a, 4 luminance).
 KERNEL_CONST uint TEXTURE_CLAMP = 1u;
 KERNEL_CONST uint TEXTURE_CHANNEL_SHIFT = 1u;
+/// Further bits of TextureRef::flags: how an axis goes on outside of 0..1 where the two differ or turn back, a texel
+/// without its neighbours, TextureRef::shear, and a map whose numbers are 0 below TextureRef::strength, else 1.
+KERNEL_CONST uint TEXTURE_CLAMP_U = 16u;
+KERNEL_CONST uint TEXTURE_CLAMP_V = 32u;
+KERNEL_CONST uint TEXTURE_MIRROR_U = 64u;
+KERNEL_CONST uint TEXTURE_MIRROR_V = 128u;
+KERNEL_CONST uint TEXTURE_NEAREST = 256u;
+KERNEL_CONST uint TEXTURE_TURNED = 512u;
+KERNEL_CONST uint TEXTURE_CUTOFF = 1024u;
+/// What few textures need: bits that texture_lookup() asks for one by one only where some lane has any.
+KERNEL_CONST uint TEXTURE_RARE =
+    TEXTURE_CLAMP_U | TEXTURE_CLAMP_V | TEXTURE_MIRROR_U | TEXTURE_MIRROR_V | TEXTURE_NEAREST;
 
 /// FrameParams::features: what this scene and frame need; the rest costs nothing.
 KERNEL_CONST uint FEATURE_SMOOTH = 1u;    ///< Some triangle has vertex normals.
@@ -369,12 +381,13 @@ struct Instance {
     vec3 object_from_world_x, object_from_world_y, object_from_world_z, object_from_world_t;
 };
 
-/// A use of a texture: uv' = uv*scale + offset.
+/// A use of a texture: uv' = uv*scale + offset, and where TEXTURE_TURNED is set + (v, u)*shear.
 struct TextureRef {
     uint texture;  ///< Into textures, or NONE.
     uint flags;
     vec2 scale;
     vec2 offset;
+    vec2 shear;
     float strength;
 };
 

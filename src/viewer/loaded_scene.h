@@ -17,10 +17,14 @@ struct LoadedScene {
     scene::Scene scene;
     std::shared_ptr<const RenderScene> compiled;
     std::vector<Diagnostic> warnings;
-    bool animated = false;  ///< Something moves, and no `freeze` holds it.
+    bool animated = false;   ///< Something moves, and no `freeze` holds it.
+    bool deforming = false;  ///< Meshes are bent over time, too.
 };
 
 /// Imports and compiles. Errors: InputError.
 std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file);
+
+/// The same scene with its meshes as they are bent at a moment.
+std::shared_ptr<const LoadedScene> bent_at(const LoadedScene& loaded, float time_s);
 
 }  // namespace sundog::viewer
