@@ -10,6 +10,7 @@
 #include "output_plan.h"
 #include "sampling_options.h"
 #include "session/session.h"
+#include "tone_options.h"
 
 namespace sundog::app {
 
@@ -30,6 +31,7 @@ struct RenderArguments {
     SamplingArguments sampling;
     float time_s = 0;
     float exposure_ev = 0;
+    ToneArguments tone;
     float frames_per_second = 25;
     std::optional<FrameRange> frames;
     std::optional<Pixel> pixel;

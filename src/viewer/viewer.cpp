@@ -225,7 +225,7 @@ void Viewer::submit() {
 
     const PixelSize size = window_.size_px();
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    ViewRequest request{scene_, controls_.device, {}, controls_.exposure_ev, controls_.show_rays};
+    ViewRequest request{scene_, controls_.device, {}, controls_.exposure, controls_.show_rays};
     FrameOptions& frame = request.options;
     frame.width = size.width;
     frame.height = size.height;
