@@ -78,6 +78,7 @@ void check_primary(RenderArguments& arguments) {
 int render(RenderArguments arguments) {
     using Way = SamplingArguments::Way;
     arguments.sampling.check();
+    arguments.environment.check();
     if (arguments.sampling.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.sampling.way() == Way::recursive && arguments.aovs.planes != 0)
@@ -103,7 +104,8 @@ int render(RenderArguments arguments) {
 
     WarningPrinter warnings;
     const WarningSink warn = warnings.sink();
-    const scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
@@ -215,6 +217,7 @@ void add_render(CLI::App& program, Action& action) {
             "Brighten by this many stops (0)")
         ->type_name("EV");
     add_tone_options(*command, a.tone);
+    add_environment_options(*command, a.environment);
     command
         ->add_option_function<std::string>(
             "--aov", [&a](Text text) { a.aovs = parse_aovs(text); },

@@ -7,6 +7,7 @@
 
 #include "arguments.h"
 #include "compile/compile.h"
+#include "environment_options.h"
 #include "output_plan.h"
 #include "sampling_options.h"
 #include "session/session.h"
@@ -32,6 +33,7 @@ struct RenderArguments {
     float time_s = 0;
     float exposure_ev = 0;
     ToneArguments tone;
+    EnvironmentArguments environment;
     float frames_per_second = 25;
     std::optional<FrameRange> frames;
     std::optional<Pixel> pixel;

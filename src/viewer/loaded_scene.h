@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -20,7 +21,10 @@ struct LoadedScene {
     bool animated = false;  ///< Something moves, and no `freeze` holds it.
 };
 
-/// Imports and compiles. Errors: InputError.
-std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file);
+/// What is done to a scene once it was read, such as giving it surroundings. Errors: InputError.
+using SceneChange = std::function<void(scene::Scene&)>;
+
+/// Imports, changes (where there is a change to make) and compiles. Errors: InputError.
+std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change = {});
 
 }  // namespace sundog::viewer

@@ -134,7 +134,7 @@ Viewer::Viewer(const ViewOptions& options, std::shared_ptr<const LoadedScene> sc
       window_(shown_name(options, *scene_) + " - Sundog", first_window_size(options, *scene_),
               options.fullscreen || scene_->scene.settings.fullscreen.value_or(false)),
       imgui_(window_.sdl_window(), window_.sdl_renderer(), kFont_px),
-      reloader_(options.scene_file, scene_),
+      reloader_(options.scene_file, scene_, options.change),
       device_in_use_(device->info().kind),
       devices_(std::async(std::launch::async, device_choices)),
       step_began_s_(seconds_now()),
@@ -328,7 +328,7 @@ void Viewer::draw() {
 
 void run(const ViewOptions& options, const WarningSink& warn) {
     auto device = open_device(options.device, options.threads, options.acceleration);
-    auto scene = load_scene(options.scene_file);
+    auto scene = load_scene(options.scene_file, options.change);
     if (warn) {
         for (const Diagnostic& warning : scene->warnings) warn(warning);
     }
