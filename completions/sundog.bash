@@ -18,6 +18,7 @@ _sundog() {
         return
       fi ;;
     --show) mapfile -t COMPREPLY < <(compgen -W "cost" -- "$word"); return ;;
+    --tone-map) mapfile -t COMPREPLY < <(compgen -W "linear reinhard aces agx gamma" -- "$word"); return ;;
     --sampler) mapfile -t COMPREPLY < <(compgen -W "r2 regular jittered sobol" -- "$word"); return ;;
     --filter) mapfile -t COMPREPLY < <(compgen -W "pixel box tent gaussian mitchell blackman-harris" -- "$word"); return ;;
     --adaptive-method) mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word"); return ;;
@@ -28,17 +29,17 @@ _sundog() {
     --aov) mapfile -t COMPREPLY < <(compgen -W "depth normal albedo object samples cost all" -- "$word"); return ;;
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
-    -o | --output) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --camera | --pixel | --gain | --rounds)
+    -o | --output | --environment) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
+    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --camera | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
   case $command in
     render)
       options+=" --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
-      options+=" --time --frames --fps --exposure --aov --camera --pixel --quiet"
+      options+=" --time --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --camera --pixel --quiet"
       files='@(scene|obj|conf)' ;;
-    view) options+=" --size --device --threads --accel --max-depth --min-weight --fullscreen"; files='@(scene|obj|conf)' ;;
+    view) options+=" --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
     bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --accel --refine --sampling --scene" ;;

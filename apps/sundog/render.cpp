@@ -22,6 +22,7 @@ constexpr const char* kExamples =
     "  sundog render table.scene -o turn.mp4 --frames 0..249 --fps 25\n"
     "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
     "  sundog render table.scene -o table.exr --aov depth,normal\n"
+    "  sundog render table.scene -o table.png --tone-map agx --exposure 0.5\n"
     "  sundog render table.scene -o - --size 320x240 | display\n"
     "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
 
@@ -78,6 +79,7 @@ void check_primary(RenderArguments& arguments) {
 int render(RenderArguments arguments) {
     using Way = SamplingArguments::Way;
     arguments.sampling.check();
+    arguments.environment.check();
     if (arguments.sampling.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.sampling.way() == Way::recursive && arguments.aovs.planes != 0)
@@ -94,6 +96,8 @@ int render(RenderArguments arguments) {
     const bool layers = arguments.aovs.planes != 0 || arguments.aovs.samples;
     OutputPlan plan;
     if (!arguments.pixel) plan = plan_output(arguments.output, arguments.format, arguments.frames, layers);
+    if (!arguments.pixel)
+        arguments.tone.check(plan.target == Target::video ? std::nullopt : std::optional(plan.format));
     arguments.frame.time_s = arguments.time_s;
     arguments.frame.aovs = arguments.aovs.planes | arguments.sampling.planes();
     if (arguments.shown == Shown::rays) arguments.frame.aovs |= kernel::AOV_COST;
@@ -103,6 +107,7 @@ int render(RenderArguments arguments) {
     const WarningSink warn = warnings.sink();
     scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
     scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
+    arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
@@ -229,6 +234,8 @@ void add_render(CLI::App& program, Action& action) {
             "--exposure", [&a](Text text) { a.exposure_ev = parse_float("--exposure", text, -100, 100); },
             "Brighten by this many stops (0)")
         ->type_name("EV");
+    add_tone_options(*command, a.tone);
+    add_environment_options(*command, a.environment);
     command
         ->add_option_function<std::string>(
             "--aov", [&a](Text text) { a.aovs = parse_aovs(text); },

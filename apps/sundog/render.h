@@ -7,9 +7,11 @@
 
 #include "arguments.h"
 #include "compile/compile.h"
+#include "environment_options.h"
 #include "output_plan.h"
 #include "sampling_options.h"
 #include "session/session.h"
+#include "tone_options.h"
 
 namespace sundog::app {
 
@@ -30,6 +32,8 @@ struct RenderArguments {
     SamplingArguments sampling;
     float time_s = 0;
     float exposure_ev = 0;
+    ToneArguments tone;
+    EnvironmentArguments environment;
     float frames_per_second = 25;
     std::optional<FrameRange> frames;
     std::optional<Pixel> pixel;

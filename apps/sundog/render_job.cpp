@@ -52,9 +52,9 @@ double done_fraction(const Film& film, int samples) {
     return sum / (static_cast<double>(film.radiance.size()) * samples);
 }
 
-/// The picture as it is to be shown.
+/// The picture as it is to be shown, or, in a file that holds radiance, to be kept.
 output::Image shown_image(const Film& film, const RenderArguments& arguments) {
-    output::Image image = image_of(film, arguments.exposure_ev);
+    output::Image image = output::tone_mapped(image_of(film, arguments.exposure_ev), arguments.tone.mapping());
     if (arguments.shown == Shown::rays) paint_traced(film, image);
     return image;
 }

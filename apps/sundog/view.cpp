@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "command.h"
 #include "console.h"
+#include "environment_options.h"
 #include "loading.h"
 #include "viewer/viewer.h"
 
@@ -18,10 +19,13 @@ constexpr const char* kExamples =
 struct ViewArguments {
     std::string scene;
     std::optional<Acceleration> acceleration;
+    EnvironmentArguments environment;
     viewer::ViewOptions options;
 };
 
 int view(ViewArguments& arguments) {
+    arguments.environment.check();
+    arguments.options.change = [&arguments](scene::Scene& scene) { arguments.environment.apply(scene); };
     arguments.options.scene_file = scene_file_or_config(arguments.scene);
     arguments.options.device = device_for(arguments.acceleration, arguments.options.device);
     arguments.options.acceleration = arguments.acceleration.value_or(Acceleration::embree);
@@ -76,6 +80,7 @@ void add_view(CLI::App& program, Action& action) {
             "--min-weight", [&o](Text text) { o.min_weight = parse_float("--min-weight", text, 0, 1); },
             "Paths of less weight end")
         ->type_name("W");
+    add_environment_options(*command, arguments->environment);
     command->add_flag("--fullscreen", o.fullscreen, "Fill the screen");
     command->callback([arguments, &action] { action = [arguments] { return view(*arguments); }; });
 }

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace sundog::viewer {
 namespace {
@@ -49,6 +50,16 @@ std::uint32_t argb_of(__m128 linear, const CodeTable& codes) {
            static_cast<std::uint32_t>(codes[_mm_extract_epi16(index, 2)]) << 8 | codes[_mm_extract_epi16(index, 4)];
 }
 
+/// With a mapping that changes colours.
+void convert(std::span<const std::array<float, 4>> sums, float gain, const output::ToneMapper& map,
+             const CodeTable& codes, std::uint32_t* argb) {
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const float scale = sums[i][3] > 0 ? gain / sums[i][3] : 0;
+        const Vec3 shown = map({sums[i][0] * scale, sums[i][1] * scale, sums[i][2] * scale});
+        argb[i] = argb_of(_mm_setr_ps(shown.x, shown.y, shown.z, 0), codes);
+    }
+}
+
 void convert(std::span<const std::array<float, 4>> sums, float gain, const CodeTable& codes, std::uint32_t* argb) {
     // Neighbours mostly have the same number of samples, which saves a division each.
     float samples = 1;
@@ -64,13 +75,17 @@ void convert(std::span<const std::array<float, 4>> sums, float gain, const CodeT
 
 }  // namespace
 
-void to_display(const Film& film, float exposure_ev, std::span<std::uint32_t> argb) {
+void to_display(const Film& film, const Exposure& exposure, std::span<std::uint32_t> argb) {
     static const CodeTable codes = make_code_table();
-    const float gain = std::exp2(exposure_ev);
+    const float gain = std::exp2(exposure.ev);
+    const output::ToneMapper map(exposure.tone);
     const std::size_t pixels = std::min(film.radiance.size(), argb.size());
     const std::span sums(film.radiance.data(), pixels);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 16384), [&](const auto& range) {
-        convert(sums.subspan(range.begin(), range.size()), gain, codes, argb.data() + range.begin());
+        const auto some = sums.subspan(range.begin(), range.size());
+        std::uint32_t* const out = argb.data() + range.begin();
+        if (map.changes_nothing()) convert(some, gain, codes, out);
+        else convert(some, gain, map, codes, out);
     });
 }
 
@@ -79,12 +94,12 @@ void paint_traced(const Film& film, std::span<std::uint32_t> argb) {
         if (film.cost[i] > 0) argb[i] = 0xffffffffU;
 }
 
-output::Image to_image(const Film& film, float exposure_ev) {
-    const float gain = std::exp2(exposure_ev);
+output::Image to_image(const Film& film, const Exposure& exposure) {
+    const float gain = std::exp2(exposure.ev);
     output::Image image(film.bounds.width(), film.bounds.height());
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) image.at(x, y) = film.mean(film.bounds.x0 + x, film.bounds.y0 + y) * gain;
-    return image;
+    return output::tone_mapped(std::move(image), exposure.tone);
 }
 
 }  // namespace sundog::viewer

@@ -16,9 +16,9 @@ Film film_of(const std::vector<std::array<float, 4>>& sums) {
     return film;
 }
 
-std::vector<std::uint32_t> shown(const Film& film, float exposure_ev = 0) {
+std::vector<std::uint32_t> shown(const Film& film, float exposure_ev = 0, const output::ToneMapping& tone = {}) {
     std::vector<std::uint32_t> argb(film.radiance.size());
-    to_display(film, exposure_ev, argb);
+    to_display(film, {exposure_ev, tone}, argb);
     return argb;
 }
 
@@ -65,7 +65,7 @@ TEST(Display, MeanTimesExposure) {
     const Film film = film_of({{1, 1, 1, 8}});
     EXPECT_EQ(shown(film)[0], shown(film_of({{0.125F, 0.125F, 0.125F, 1}}))[0]);
     EXPECT_EQ(shown(film, 2)[0], 0xffbcbcbcU);
-    EXPECT_FLOAT_EQ(to_image(film, 2).at(0, 0).x, 0.5F);
+    EXPECT_FLOAT_EQ(to_image(film, {2, {}}).at(0, 0).x, 0.5F);
 }
 
 // Catches table accesses out of range: no samples, NaN, infinities, negative and huge values.
@@ -76,6 +76,22 @@ TEST(Display, OddValues) {
     EXPECT_EQ(argb[0], 0xff000000U);
     EXPECT_EQ(argb[1], 0xff00ff00U);
     EXPECT_EQ(argb[2], 0xff00ff00U);
+}
+
+// Catches a window that shows other tones than the pictures saved from it, and codes in the wrong places.
+TEST(Display, ShowsTheTonesThatAreSaved) {
+    std::vector<std::array<float, 4>> sums;
+    for (int i = 0; i < 500; ++i) {
+        const auto light = 0.03F * static_cast<float>(i);
+        sums.push_back({light, 2 * light, 0.5F, 2});
+    }
+    const Film film = film_of(sums);
+    const output::ToneMapping agx{.curve = output::ToneCurve::agx, .white_balance_k = 4000.0F};
+    const auto codes = output::to_srgb8(to_image(film, {1, agx}));
+    const auto argb = shown(film, 1, agx);
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(static_cast<int>(argb[i] >> (16 - 8 * c) & 0xff), codes[3 * i + c], 1) << i;
 }
 
 // Catches rows or blocks that are left out: a film of a size that no block divides.

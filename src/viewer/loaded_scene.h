@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,8 +22,11 @@ struct LoadedScene {
     bool deforming = false;  ///< Meshes are bent over time, too.
 };
 
-/// Imports and compiles. Errors: InputError.
-std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file);
+/// What is done to a scene once it was read, such as giving it surroundings. Errors: InputError.
+using SceneChange = std::function<void(scene::Scene&)>;
+
+/// Imports, changes (where there is a change to make) and compiles. Errors: InputError.
+std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change = {});
 
 /// The same scene with its meshes as they are bent at a moment.
 std::shared_ptr<const LoadedScene> bent_at(const LoadedScene& loaded, float time_s);

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "output/white_balance.h"
+
 namespace sundog::viewer {
 namespace {
 
@@ -86,6 +88,29 @@ void picture_line(const Status& status) {
     }
 }
 
+void exposure_controls(Exposure& exposure) {
+    ImGui::SliderFloat("Exposure", &exposure.ev, -8, 8, "%+.1f EV");
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) exposure.ev = 0;
+    tooltip("Each step doubles the light; right click: 0");
+    output::ToneMapping& tone = exposure.tone;
+    constexpr std::array kCurves{"linear", "Reinhard", "ACES", "AgX", "gamma 2.2"};
+    static_assert(kCurves.size() == output::kToneCurveNames.size());
+    int curve = static_cast<int>(tone.curve);
+    if (ImGui::Combo("Tones", &curve, kCurves.data(), static_cast<int>(kCurves.size())))
+        tone.curve = static_cast<output::ToneCurve>(curve);
+    tooltip("How radiance becomes what the screen shows");
+    if (tone.curve == output::ToneCurve::reinhard) {
+        ImGui::SliderFloat("White", &tone.white_point, 1, 64, "%.1f", ImGuiSliderFlags_Logarithmic);
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) tone.white_point = output::ToneMapping{}.white_point;
+        tooltip("The luminance that becomes white; right click: 4");
+    }
+    float temperature_k = tone.white_balance_k.value_or(output::kNeutralKelvin);
+    if (ImGui::SliderFloat("Warmth", &temperature_k, 2000, 12000, "%.0f K", ImGuiSliderFlags_Logarithmic))
+        tone.white_balance_k = temperature_k;
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) tone.white_balance_k.reset();
+    tooltip("The colour temperature of the light that is to look white; right click: 6504 K, as it is");
+}
+
 void main_panel(const Status& status, Controls& controls) {
     ImGui::SetNextWindowPos({margin(), margin()});
     ImGui::Begin("##main", nullptr, kOverlay);
@@ -104,9 +129,7 @@ void main_panel(const Status& status, Controls& controls) {
     const int deepest = std::max(32, status.scene_max_depth);
     if (ImGui::SliderInt("Depth", &max_depth, 0, deepest)) controls.max_depth = std::max(max_depth, 0);
     tooltip("Mirror and refraction rays on a path at most");
-    ImGui::SliderFloat("Exposure", &controls.exposure_ev, -8, 8, "%+.1f EV");
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) controls.exposure_ev = 0;
-    tooltip("Each step doubles the light; right click: 0");
+    exposure_controls(controls.exposure);
     bool shadows = controls.shadows.value_or(status.scene_shadows);
     if (ImGui::Checkbox("Shadows", &shadows)) controls.shadows = shadows;
     ImGui::SameLine();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/display.h"
 #include "viewer/picked.h"
 #include "viewer/picture_maker.h"
 #include "viewer/playback.h"
@@ -25,7 +26,7 @@ struct Controls {
     std::string device;            ///< "cpu" or "gpu"
     std::optional<int> max_depth;  ///< Where not set, the scene's.
     std::optional<bool> shadows;
-    float exposure_ev = 0;
+    Exposure exposure;
     bool show_rays = false;  ///< Where the picture is interpolated, what is traced is white.
     bool show_panels = true;
     bool show_help = false;

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "viewer/display.h"
-
 namespace sundog::viewer {
 namespace {
 
@@ -67,7 +65,7 @@ bool PictureMaker::render_quickly(const StopFlag& stop) {
     if (film_.bounds != bounds || film_.aovs != frame.params.aovs) film_ = Film(bounds, frame.params.aovs);
     film_is_current_ = false;
     film_is_traced_ = !refines;
-    last_pass_ = refines ? session_->refine_into(frame, kMovingTolerance, std::exp2(request_.exposure_ev), film_, stop)
+    last_pass_ = refines ? session_->refine_into(frame, kMovingTolerance, std::exp2(request_.exposure.ev), film_, stop)
                          : session_->render_into(frame, 0, 1, film_, stop);
     if (!last_pass_.complete) return false;
     last_pass_s_ = seconds_since(begin);
@@ -113,7 +111,7 @@ bool PictureMaker::show_rays_at_full_size(const StopFlag& stop) {
     const auto begin = std::chrono::steady_clock::now();
     Film film(PixelRect{0, 0, full_size().width, full_size().height}, refined_aovs());
     const RenderStats stats = session_->refine_into(frame_of(full_size(), refined_aovs()), kMovingTolerance,
-                                                    std::exp2(request_.exposure_ev), film, stop);
+                                                    std::exp2(request_.exposure.ev), film, stop);
     if (!stats.complete) return false;
     last_pass_ = stats;
     last_pass_s_ = seconds_since(begin);
@@ -135,13 +133,13 @@ PixelInfo PictureMaker::pick(int x, int y) { return session_->pick(frame_of(full
 std::optional<output::Image> PictureMaker::full_image(const StopFlag& stop) {
     while (!holds_full_size() || samples_ < std::min(kFewestSamplesSaved, max_samples_))
         if (!trace_sample(stop)) return std::nullopt;
-    return to_image(film_, request_.exposure_ev);
+    return to_image(film_, request_.exposure);
 }
 
 void PictureMaker::show(Picture& picture) const {
     picture.size = {film_.bounds.width(), film_.bounds.height()};
     picture.argb.resize(film_.radiance.size());
-    to_display(film_, request_.exposure_ev, picture.argb);
+    to_display(film_, request_.exposure, picture.argb);
     if ((film_.aovs & kernel::AOV_COST) != 0) paint_traced(film_, picture.argb);
     picture.time_s = request_.options.time_s;
     picture.samples = samples_;

@@ -13,6 +13,7 @@
 #include "compile/compile.h"
 #include "output/image.h"
 #include "session/session.h"
+#include "viewer/display.h"
 #include "viewer/faster_way.h"
 #include "viewer/frame_budget.h"
 #include "viewer/loaded_scene.h"
@@ -24,7 +25,7 @@ struct ViewRequest {
     std::shared_ptr<const LoadedScene> scene;
     std::string device;    ///< As open_device() takes it.
     FrameOptions options;  ///< At the window's full size: width, height and camera must be set.
-    float exposure_ev = 0;
+    Exposure exposure;
     bool show_rays = false;  ///< Paint the pixels white that grid refinement traces.
 };
 

@@ -137,7 +137,7 @@ TEST_F(PictureMakerTest, ExposureKeepsTheSamples) {
     maker_.render_quickly(stop_);
     maker_.refine(stop_);
     ViewRequest brighter = fake_request(scene_, 0.5F);
-    brighter.exposure_ev = 1;
+    brighter.exposure.ev = 1;
     EXPECT_FALSE(maker_.set_request(brighter).has_value());
     EXPECT_EQ(maker_.samples(), 2U);
     EXPECT_EQ(shown().argb[0] >> 16, 0xffffU);

@@ -21,7 +21,7 @@ RenderThread::~RenderThread() {
 void RenderThread::submit(ViewRequest request) {
     const std::lock_guard lock(mutex_);
     const bool keeps_radiance = latest_ && same_radiance(*latest_, request);
-    if (keeps_radiance && latest_->exposure_ev == request.exposure_ev) return;
+    if (keeps_radiance && latest_->exposure == request.exposure) return;
     if (refining_ && !keeps_radiance) stop_refining_.request();
     latest_ = std::move(request);
     latest_taken_ = false;

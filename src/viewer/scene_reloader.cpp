@@ -12,8 +12,12 @@ constexpr std::chrono::milliseconds kLookEvery{200};
 
 }  // namespace
 
-SceneReloader::SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown)
-    : file_(std::move(file)), watched_(now_shown->scene.files), next_look_(std::chrono::steady_clock::now()) {
+SceneReloader::SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown,
+                             SceneChange change)
+    : file_(std::move(file)),
+      change_(std::move(change)),
+      watched_(now_shown->scene.files),
+      next_look_(std::chrono::steady_clock::now()) {
     watch_.watch(watched_);
 }
 
@@ -25,7 +29,7 @@ std::shared_ptr<const LoadedScene> SceneReloader::poll() {
     }
     if (now < next_look_) return nullptr;
     next_look_ = now + kLookEvery;
-    if (watch_.changed()) next_ = std::async(std::launch::async, load_scene, file_);
+    if (watch_.changed()) next_ = std::async(std::launch::async, load_scene, file_, change_);
     return nullptr;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/diagnostics.h"
 #include "device/acceleration.h"
+#include "viewer/loaded_scene.h"
 
 namespace sundog::viewer {
 
@@ -21,6 +22,7 @@ struct ViewOptions {
     std::optional<int> max_depth;
     std::optional<float> min_weight;
     bool fullscreen = false;
+    SceneChange change;  ///< Done to the scene whenever it is read.
 };
 
 /// Opens the window and runs until it is closed. Errors: InputError for a scene that can't be read at the start,

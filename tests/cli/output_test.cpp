@@ -146,6 +146,12 @@ TEST(Output, OptionsReachThePicture) {
     EXPECT_TRUE(picture({"--shadows", "off"}) == picture({"--no-shadows"}));
     EXPECT_TRUE(plain != picture({"--max-depth", "0"}));
     EXPECT_TRUE(plain != picture({"--exposure", "1"}));
+    EXPECT_TRUE(plain == picture({"--tone-map", "linear"}));
+    EXPECT_TRUE(plain == picture({"--white-balance", "6504"}));
+    const std::string mapped = picture({"--tone-map", "agx"});
+    EXPECT_TRUE(plain != mapped);
+    EXPECT_TRUE(mapped != picture({"--tone-map", "aces"}));
+    EXPECT_TRUE(mapped != picture({"--tone-map", "agx", "--white-balance", "4000"}));
     EXPECT_TRUE(plain != picture({"--spp", "4"}));
     EXPECT_TRUE(plain != picture({"--time", "3"}));
 }
