@@ -6,6 +6,8 @@
 #include <cmath>
 #include <type_traits>
 
+#include "compile/bsdf.h"
+#include "compile/bsdf_tables.h"
 #include "compile/camera.h"
 #include "compile/convert.h"
 #include "compile/emitters.h"
@@ -36,6 +38,26 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
     out.srgb_to_linear.assign(linear_of_srgb8().begin(), linear_of_srgb8().end());
 }
 
+/// The material's reflection model, if it has one, as the last of them.
+void append_bsdf(const scene::Material& m, std::span<const scene::Texture> textures, RenderScene& out) {
+    std::optional<kernel::Bsdf> bsdf = m.principled ? compile_bsdf(*m.principled) : compile_bsdf(*m.mtl);
+    out.materials.back().bsdf = kernel::NONE;
+    if (!bsdf) return;
+    if (m.principled) {
+        const kernel::BsdfMaps maps = compile_bsdf_maps(*m.principled, textures);
+        if (any_map(maps)) {
+            bsdf->maps = static_cast<std::uint32_t>(out.bsdf_maps.size());
+            out.bsdf_maps.push_back(maps);
+            out.materials.back().flags |= kernel::MATERIAL_TEXTURED;
+        }
+        // Which way a surface is brushed its texture coordinates say.
+        if (bsdf->anisotropy > 0) out.materials.back().flags |= kernel::MATERIAL_TEXTURED;
+    }
+    out.materials.back().bsdf = static_cast<std::uint32_t>(out.bsdfs.size());
+    out.bsdfs.push_back(*bsdf);
+    if (bsdf->opacity < 1) out.materials.back().flags |= kernel::MATERIAL_TRANSPARENT;
+}
+
 void compile_materials(const scene::Scene& scene, RenderScene& out) {
     PatternCompiler patterns(scene, out);
     out.material_maps.push_back(no_maps());
@@ -43,6 +65,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
     for (const scene::Material& m : scene.materials) {
         if (m.patterned && !m.principled) {
             out.materials.push_back(patterns.compile_surface(m));
+            out.materials.back().bsdf = kernel::NONE;
         } else {
             const kernel::MaterialMaps maps =
                 m.principled ? compile_maps(*m.principled, scene.textures) : compile_maps(*m.mtl, scene.textures);
@@ -51,6 +74,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
             kernel::Material& compiled = out.materials.back();
             compiled.emission_power = emission_power({compiled.emission.x, compiled.emission.y, compiled.emission.z},
                                                      maps.emission.texture, scene.textures);
+            append_bsdf(m, scene.textures, out);
             if (any_map(maps)) {
                 out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
                 out.material_maps.push_back(maps);
@@ -60,7 +84,11 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
     patterns.compile_sky();
     if (scene.projection_camera && scene.projection_camera->normal)
         out.camera_normal = patterns.normals_of(*scene.projection_camera->normal);
-    if (out.materials.empty()) out.materials.push_back(compile_material(scene::MtlSurface{}, no_maps()));
+    if (out.materials.empty()) {
+        out.materials.push_back(compile_material(scene::MtlSurface{}, no_maps()));
+        out.materials.back().bsdf = kernel::NONE;
+    }
+    if (!out.bsdfs.empty()) out.bsdf_tables = bsdf_tables();
 }
 
 /// What of the camera the kernel doesn't have.
@@ -242,7 +270,8 @@ Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
 }
 
 std::uint32_t features_of(const RenderScene& scene, const kernel::Material& material) {
-    return material_features(material, scene.material_maps[material.maps]) | pattern_features(scene, material);
+    const std::uint32_t bsdf = material.bsdf != kernel::NONE ? kernel::FEATURE_BSDF : 0U;
+    return bsdf | material_features(material, scene.material_maps[material.maps]) | pattern_features(scene, material);
 }
 
 std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, bool moving) {

@@ -29,7 +29,8 @@ KERNEL_ARRAY(vec3, environment_pixels, 31)
 #ifdef __cplusplus
 KERNEL_ARRAY(EnvironmentCell, environment_cells, 32)
 KERNEL_ARRAY(Bsdf, bsdfs, 34)
-KERNEL_ARRAY(float, bsdf_tables, 35)
+KERNEL_ARRAY(BsdfMaps, bsdf_maps, 35)
+KERNEL_ARRAY(float, bsdf_tables, 36)
 #endif
 
 // Of the Frame: new for every picture.

@@ -125,6 +125,20 @@ KERNEL_CONST uint BSDF_BECKMANN = 6u;   ///< A metal of Beckmann's facets,
 KERNEL_CONST uint BSDF_CONDUCTOR = 7u;  ///< and of GGX's.
 KERNEL_CONST uint BSDF_DIELECTRIC = 8u;
 
+/// Maps of BSDF_PRINCIPLED, in the channels that glTF gives them.
+KERNEL_CONST uint BSDF_MAP_METALLIC_ROUGHNESS = 0u;
+KERNEL_CONST uint BSDF_MAP_SPECULAR = 1u;
+KERNEL_CONST uint BSDF_MAP_SPECULAR_COLOR = 2u;
+KERNEL_CONST uint BSDF_MAP_TRANSMISSION = 3u;
+KERNEL_CONST uint BSDF_MAP_COAT = 4u;
+KERNEL_CONST uint BSDF_MAP_COAT_ROUGHNESS = 5u;
+KERNEL_CONST uint BSDF_MAP_SHEEN_COLOR = 6u;
+KERNEL_CONST uint BSDF_MAP_SHEEN_ROUGHNESS = 7u;
+KERNEL_CONST uint BSDF_MAP_FILM = 8u;
+KERNEL_CONST uint BSDF_MAP_FILM_THICKNESS = 9u;
+KERNEL_CONST uint BSDF_MAP_ANISOTROPY = 10u;
+KERNEL_CONST uint BSDF_MAP_COUNT = 11u;
+
 /// Where what stands in `bsdf_tables`: a table's rows are roughnesses, its columns cosines
 /// (kernel/bsdf/albedo_tables.h).
 KERNEL_CONST uint BSDF_TABLE_SIDE = 32u;
@@ -437,6 +451,13 @@ struct Bsdf {
     float sheen_roughness;
     float film, film_ior, film_least_nm, film_most_nm;
     float anisotropy, anisotropy_rotation;
+    float opacity;
+    uint maps;  ///< Into `bsdf_maps`, or NONE.
+};
+
+/// The maps of a principled surface (BSDF_MAP_*) beside those of its material.
+struct BsdfMaps {
+    TextureRef map[BSDF_MAP_COUNT];
 };
 
 /// The textures of a material. Number 0 has none.

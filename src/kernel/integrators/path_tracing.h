@@ -19,6 +19,7 @@
 #include "kernel/integrators/surface_met.h"
 #include "kernel/lights/direct.h"
 #include "kernel/lights/emitter.h"
+#include "kernel/materials/bsdf_material.h"
 #include "kernel/sequences.h"
 
 KERNEL_BEGIN
@@ -84,6 +85,9 @@ struct Scatter {
     real rough, mirrored, through;  ///< Shares; they add up to 1 where the path can go on at all.
     real gloss;                     ///< Of the rough share, how much is drawn for highlights,
     real exponent;                  ///< of this sharpness.
+    mask own;                       ///< Rough directions are those of a reflection model of the material's own,
+    word model;                     ///< number `model` of `bsdfs`,
+    mask clear;                     ///< and light comes through it from behind.
 };
 
 /// The sharpest highlight of layers counts, and the share of all.
@@ -135,6 +139,9 @@ FN Scatter scatter_of(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, 
     scatter.mirrored = mirrored * per_all;
     scatter.through = through * per_all;
     scatter.gloss = max(gloss, real(0.0f)) / max(rough, real(1e-30f));
+    scatter.own = mask_and(found, mask_not(found));
+    scatter.clear = scatter.own;
+    scatter.model = word(0u);
     return scatter;
 }
 
@@ -147,19 +154,53 @@ FN real rough_density(Scatter scatter, real3 to_eye, real3 to_light) {
     return density * scatter.rough;
 }
 
-/// What a light of colour 1 from a direction makes of the surface, in the lanes of `lit`: pi times BSDF times cosine.
-FN_LARGE real3 scattered_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, mask lit, mask behind,
-                               real3 to_light, real3 to_eye) {
-    real3 base = real3(real(0.0f));
+/// Lanes of `alive` that light from a direction lights; in the lanes of `behind` it comes from the back.
+FN mask scattering_lanes(SCENE Surface s, Lobes lobes, Scatter scatter, real3 to_light, mask alive, OUT(mask) behind) {
+    mask lit = lit_lanes(SCENE_ s, lobes.patterned, to_light, alive, behind);
+    if (FEATURE(FEATURE_BSDF)) {
+        mask through = mask_and(mask_and(alive, scatter.clear), dot(s.geometric_normal, to_light) < real(0.0f));
+        through = mask_and(through, dot(s.normal, to_light) < real(0.0f));
+        behind = mask_or(behind, through);
+        lit = mask_or(lit, through);
+    }
+    return lit;
+}
+
+/// What a light of colour 1 from a direction makes of the surface in the lanes of `lit` (pi times BSDF times cosine),
+/// and the density over solid angle of drawing that direction.
+FN_LARGE real3 scattered_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
+                               Scatter scatter, ShadingFrame frame, mask lit, mask behind, real3 to_light, real3 to_eye,
+                               OUT(real) density) {
+    real3 black = real3(real(0.0f));
+    real3 base = black;
     real3 highlight = base;
-    add_light(SCENE_ s, lobes, layered, real3(real(1.0f)), LIGHT_HIGHLIGHTS, 0u, lit, behind, to_light, to_eye, base,
-              highlight);
-    return select(lit, base + highlight, real3(real(0.0f)));
+    density = real(0.0f);
+    real3 local_eye = to_local(frame, to_eye);
+    real3 local_light = to_local(frame, to_light);
+    mask plain = mask_and(lit, mask_not(scatter.own));
+    if (any_lane(plain)) {
+        add_light(SCENE_ s, lobes, layered, real3(real(1.0f)), LIGHT_HIGHLIGHTS, 0u, plain, behind, to_light, to_eye,
+                  base, highlight);
+        density = rough_density(scatter, local_eye, local_light);
+    }
+    real3 value = select(plain, base + highlight, black);
+    if (FEATURE(FEATURE_BSDF)) {
+        mask own = mask_and(lit, scatter.own);
+        if (any_lane(own)) {
+            real3 own_value;
+            real own_density;
+            bsdf_values(SCENE_ scatter.model, point, local_eye, local_light, own, own_value, own_density);
+            value = select(own, own_value * (scatter.rough * 3.14159265f), value);
+            density = select(own, own_density * scatter.rough, density);
+        }
+    }
+    return value;
 }
 
 /// Light of the lights without size, in lanes that drew one of them (an area: any point of it), over its probability.
-FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, MediaInsides media,
-                           EmitterChoice choice, real2 u, real3 to_eye, mask asked, INOUT(RayCounts) counts) {
+FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
+                           Scatter scatter, ShadingFrame frame, MediaInsides media, EmitterChoice choice, real2 u,
+                           real3 to_eye, mask asked, INOUT(RayCounts) counts) {
     real3 black = real3(real(0.0f));
     real3 sum = black;
     mask todo = asked;
@@ -184,7 +225,7 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
         bool in_parts = (light.flags & LIGHT_ILLUMINATES) != 0u;
         real3 from = in_parts ? toward : to_light;
         mask behind;
-        mask lit = lit_lanes(SCENE_ s, lobes.patterned, from, here, behind);
+        mask lit = scattering_lanes(SCENE_ s, lobes, scatter, from, here, behind);
         if (FEATURE(FEATURE_LIGHT_GROUPS))
             lit = mask_and(lit, light_reaches(SCENE_ light.group, s.material, lobes.patterned));
         real3 color = real3(light.color);
@@ -193,11 +234,13 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
         real3 amount = abs(color);
         lit = mask_and(lit, largest(amount) > real(0.0f));
         if (!any_lane(lit)) continue;
-        real3 value = scattered_light(SCENE_ s, lobes, layered, lit, behind, from, to_eye) * color;
+        real met;
+        real3 value =
+            color * scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit, behind, from, to_eye, met);
         if (FEATURE(FEATURE_SHADOWS)) {
             if ((light.flags & LIGHT_SHADOWS) != 0u) {
                 real3 off = s.geometric_normal * s.error;
-                if (FEATURE(FEATURE_BACKLIT)) off = select(behind, -off, off);
+                if (FEATURE(FEATURE_BACKLIT | FEATURE_BSDF)) off = select(behind, -off, off);
                 Ray shadow;
                 shadow.origin = s.position + off;
                 shadow.t_min = real(0.0f);
@@ -221,9 +264,9 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
 
 /// Light that is aimed at: one emitter is drawn, and a place of it. `u` draws the place, `pick` the emitter. Where the
 /// path `ends`, no further ray could meet it.
-FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, Scatter scatter,
-                           ShadingFrame frame, MediaInsides media, real2 u, real pick, real3 to_eye, mask ends,
-                           mask asked, INOUT(RayCounts) counts) {
+FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
+                           Scatter scatter, ShadingFrame frame, MediaInsides media, real2 u, real pick, real3 to_eye,
+                           mask ends, mask asked, INOUT(RayCounts) counts) {
     real3 black = real3(real(0.0f));
     EmitterChoice choice = choose_emitter(SCENE_ pick);
     EmitterSample drawn;
@@ -262,17 +305,18 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
     }
     real3 sum = black;
     mask behind;
-    mask lit = lit_lanes(SCENE_ s, lobes.patterned, drawn.to_light, asked, behind);
+    mask lit = scattering_lanes(SCENE_ s, lobes, scatter, drawn.to_light, asked, behind);
     lit = mask_and(lit, mask_and(largest(drawn.radiance) > real(0.0f), drawn.density > real(0.0f)));
     if (any_lane(lit)) {
-        real3 value = scattered_light(SCENE_ s, lobes, layered, lit, behind, drawn.to_light, to_eye);
-        real met = rough_density(scatter, to_local(frame, to_eye), to_local(frame, drawn.to_light));
+        real met;
+        real3 value =
+            scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit, behind, drawn.to_light, to_eye, met);
         real share = select(ends, real(1.0f), power_heuristic(drawn.density, met));
         value = value * drawn.radiance * (share * 0.318309886f / drawn.density);
         lit = mask_and(lit, largest(value) > real(0.0f));
         if (any_lane(lit)) {
             real3 off = s.geometric_normal * s.error;
-            if (FEATURE(FEATURE_BACKLIT)) off = select(behind, -off, off);
+            if (FEATURE(FEATURE_BACKLIT | FEATURE_BSDF)) off = select(behind, -off, off);
             Ray shadow;
             shadow.origin = s.position + off;
             real3 place = s.position + drawn.to_light * select(to_environment, real(0.0f), drawn.distance);
@@ -289,7 +333,8 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
     if (FRAME.light_count > 0u) {
         mask at_point = mask_and(asked, choice.kind == word(EMITTER_LIGHT));
         if (any_lane(at_point))
-            sum = sum + light_from_points(SCENE_ s, lobes, layered, media, choice, u, to_eye, at_point, counts);
+            sum = sum + light_from_points(SCENE_ s, lobes, layered, point, scatter, frame, media, choice, u, to_eye,
+                                          at_point, counts);
     }
     return sum;
 }
@@ -308,8 +353,9 @@ FN real3 background_met(SCENE TracedPath path, mask missed) {
 }
 
 /// Sets the path's next ray, and its weight; paths without one end. `choice` draws the lobe, `u` the direction.
-FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, Crossing crossing, Scatter scatter,
-                     ShadingFrame frame, real2 u, real choice, mask found, INOUT(TracedPath) path) {
+FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
+                     Crossing crossing, Scatter scatter, ShadingFrame frame, real2 u, real choice, mask found,
+                     INOUT(TracedPath) path) {
     real3 black = real3(real(0.0f));
     real3 incoming = path.ray.direction;
     mask rough = mask_and(found, choice < scatter.rough);
@@ -329,15 +375,28 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, C
             mask glossy = choice < scatter.rough * scatter.gloss;
             local = select(glossy, blinn_phong_direction(to_eye, scatter.exponent, u), local);
         }
-        real3 direction = to_world(frame, local);
+        mask drawn = rough;
+        if (FEATURE(FEATURE_BSDF)) {
+            mask own = mask_and(rough, scatter.own);
+            if (any_lane(own)) {
+                real left = choice / max(scatter.rough, real(1e-10f));
+                local = select(own, bsdf_directions(SCENE_ scatter.model, point, to_eye, u, left, own), local);
+                drawn = mask_and(rough, dot(local, local) > real(0.5f));
+            }
+        }
+        real3 direction = to_world(frame, select(drawn, local, real3(real(0.0f), real(0.0f), real(1.0f))));
         direction = normalize(direction);
         mask behind;
-        mask lit = lit_lanes(SCENE_ s, lobes.patterned, direction, rough, behind);
-        real density = rough_density(scatter, to_eye, local);
+        mask lit = scattering_lanes(SCENE_ s, lobes, scatter, direction, drawn, behind);
+        real density;
+        real3 value = scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit,
+                                      mask_and(behind, mask_not(behind)), direction, -incoming, density);
         lit = mask_and(lit, density > real(0.0f));
-        real3 value =
-            scattered_light(SCENE_ s, lobes, layered, lit, mask_and(behind, mask_not(behind)), direction, -incoming);
         carried = select(lit, value * (0.318309886f / max(density, real(1e-30f))), black);
+        if (FEATURE(FEATURE_BSDF)) {
+            mask beyond = mask_and(rough, mask_and(behind, scatter.own));
+            next.origin = select(beyond, s.position - s.geometric_normal * s.error, next.origin);
+        }
         next.direction = select(rough, direction, next.direction);
         path.density = select(rough, density, path.density);
     }
@@ -366,6 +425,40 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, C
     path.ray = next;
     path.weight = path.weight * carried;
     path.alive = mask_and(found, largest(path.weight) > real(0.0f));
+}
+
+/// Where materials have reflection models of their own, these take the place of the lobes.
+FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT(Surface) s, INOUT(Lobes) lobes,
+                  INOUT(Scatter) scatter, INOUT(ShadingFrame) frame, OUT(BsdfPoint) point) {
+    real3 black = real3(real(0.0f));
+    word model = FIELD(materials, s.material, bsdf);
+    mask own = mask_and(found, model != word(NONE));
+    scatter.own = own;
+    scatter.model = valid_index(own, model);
+    if (!any_lane(own)) return;
+    // A bent or smoothed normal that faces away from the eye says nothing.
+    mask away = mask_and(own, dot(s.normal, path.ray.direction) > real(-1e-3f));
+    s.normal = select(away, s.geometric_normal, s.normal);
+    ShadingFrame around = frame_around(s.normal);
+    point = bsdf_at(SCENE_ s, own, around);
+    frame.x = select(own, around.x, frame.x);
+    frame.y = select(own, around.y, frame.y);
+    frame.z = select(own, around.z, frame.z);
+    real opacity = bsdf_opacity(SCENE_ s, scatter.model);
+    scatter.rough = select(own, opacity, scatter.rough);
+    scatter.mirrored = select(own, real(0.0f), scatter.mirrored);
+    scatter.through = select(own, 1.0f - opacity, scatter.through);
+    scatter.clear = bsdf_is_clear(SCENE_ scatter.model, point, own);
+    lobes.transmittance = select(own, real3(1.0f - opacity), lobes.transmittance);
+    lobes.reflectance = select(own, black, lobes.reflectance);
+    lobes.eta = select(own, real(1.0f), lobes.eta);
+    // Inside, light dims on its way.
+    mask inside = mask_and(own, s.from_behind);
+    if (any_lane(inside)) {
+        real3 rate = FIELD(bsdfs, scatter.model, attenuation) * (distance * -1.44269504f);
+        real3 passes = real3(exp2_clamped(rate.x), exp2_clamped(rate.y), exp2_clamped(rate.z));
+        path.weight = select(inside, path.weight * passes, path.weight);
+    }
 }
 
 /// Ends paths that bring little at random, so that the others stand for them.
@@ -416,6 +509,17 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         first.primitive = select(is_first, s.primitive, first.primitive);
         first.material = select(is_first, s.material, first.material);
     }
+    // Textures of layers add what they reflect to their own light; others share it out.
+    if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
+        real3 white = real3(real(1.0f));
+        real3 kept = max(white - lobes.reflectance - lobes.transmittance, black);
+        lobes.diffuse = select(lobes.patterned, lobes.diffuse, lobes.diffuse * kept);
+        lobes.specular = select(lobes.patterned, lobes.specular, lobes.specular * (white - lobes.reflectance));
+    }
+    Scatter scatter = scatter_of(SCENE_ s, lobes, layered, found);
+    ShadingFrame frame = frame_around(s.normal);
+    BsdfPoint point;
+    if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, frame, point);
     real3 emission = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     if (any_lane(mask_and(found, largest(emission) > real(0.0f)))) {
         real share = real(1.0f);
@@ -426,15 +530,6 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         }
         radiance = radiance + select(found, path.weight * emission * share, black);
     }
-    // Textures of layers add what they reflect to their own light; others share it out.
-    if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
-        real3 white = real3(real(1.0f));
-        real3 kept = max(white - lobes.reflectance - lobes.transmittance, black);
-        lobes.diffuse = select(lobes.patterned, lobes.diffuse, lobes.diffuse * kept);
-        lobes.specular = select(lobes.patterned, lobes.specular, lobes.specular * (white - lobes.reflectance));
-    }
-    Scatter scatter = scatter_of(SCENE_ s, lobes, layered, found);
-    ShadingFrame frame = frame_around(s.normal);
     word dimension = path.vertices * word(CHOICES_A_VERTEX) + word(FIRST_CHOICE);
     real2 picks = sample_pair(path.sample, dimension + word(2u));
     mask ends = mask_not(path.vertices < word(FRAME.max_depth));
@@ -442,7 +537,7 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         mask asked = mask_and(found, scatter.rough > real(0.0f));
         if (any_lane(asked)) {
             real2 place = sample_pair(path.sample, dimension + word(1u));
-            real3 aimed = aimed_light(SCENE_ s, lobes, layered, scatter, frame, path.media, place, picks.y,
+            real3 aimed = aimed_light(SCENE_ s, lobes, layered, point, scatter, frame, path.media, place, picks.y,
                                       -path.ray.direction, ends, asked, counts);
             radiance = radiance + select(asked, path.weight * aimed, black);
         }
@@ -451,7 +546,7 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     path.alive = goes_on;
     if (!any_lane(goes_on)) return;
     real2 direction = sample_pair(path.sample, dimension);
-    scatter_path(SCENE_ s, lobes, layered, crossing, scatter, frame, direction, picks.x, goes_on, path);
+    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, frame, direction, picks.x, goes_on, path);
     path.vertices = path.vertices + word(1u);
     play_roulette(path);
 }

@@ -10,6 +10,9 @@
 #include "kernel/lights/photon_flags.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
+#ifdef SUNDOG_KERNEL_PATHS
+#include "kernel/materials/bsdf_material.h"
+#endif
 #include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
 #ifdef __cplusplus
@@ -84,6 +87,15 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
             }
         }
         if ((light_flags & LIGHT_MET_BY_PATHS) != 0u) passes = select(bends, real3(real(0.0f)), passes);
+#ifdef SUNDOG_KERNEL_PATHS
+        if (FEATURE(FEATURE_BSDF)) {
+            // Paths go through by themselves, but for what isn't there.
+            word model = FIELD(materials, s.material, bsdf);
+            mask own = mask_and(alive, model != word(NONE));
+            if (any_lane(own))
+                passes = select(own, real3(1.0f - bsdf_opacity(SCENE_ s, valid_index(own, model))), passes);
+        }
+#endif
 #ifdef __cplusplus
         if (FEATURE(FEATURE_MEDIA))
             passes = passes * media_transmittance(SCENE_ ray, hit.t, insides, attenuated, alive);
