@@ -66,7 +66,7 @@ void read_extensions(const Json& material, TextureReader& textures, scene::Princ
     if (const Json json = material.extension("KHR_materials_dispersion"))
         s.dispersion = json.share_or("dispersion", 0, 0, kMost);
     if (const Json json = material.extension("KHR_materials_emissive_strength"))
-        s.emission *= json.share_or("emissiveStrength", 1, 0, kMost);
+        s.emission = min(s.emission * json.share_or("emissiveStrength", 1, 0, kMost), {kMost, kMost, kMost});
     if (const Json json = material.extension("KHR_materials_ior")) {
         const float ior = json.number_or("ior", 1.5F);
         if (ior != 0 && ior < 1) json.required("ior").fail("expected 0, or 1 and more");
