@@ -43,9 +43,10 @@ TEST(CompilePrincipled, SmoothnessSharesReflection) {
     const kernel::Material rough = compiled(surface(1, 1));
     expect_color(rough.reflectance, {0, 0, 0});
     expect_color(rough.diffuse, {0.8F, 0.4F, 0.2F});
+    expect_color(rough.specular, {0, 0, 0});
     const kernel::Material plastic = compiled(surface(0, 0));
     expect_color(plastic.reflectance, {0.04F, 0.04F, 0.04F});
-    expect_color(plastic.diffuse, {0.8F, 0.4F, 0.2F});
+    expect_color(plastic.diffuse, Vec3{0.8F, 0.4F, 0.2F} / 0.96F);
     EXPECT_NE(plastic.flags & kernel::MATERIAL_FRESNEL, 0U);
     expect_color(compiled(surface(0, 0.5F)).reflectance, {0, 0, 0});
 }
@@ -69,6 +70,7 @@ TEST(CompilePrincipled, Transmission) {
     EXPECT_EQ(thin.flags & kernel::MATERIAL_FRESNEL, 0U);
     EXPECT_NEAR(thin.transmittance.x, 0.8F * (1 - 0.0769F), 1e-3F);
     EXPECT_NEAR(thin.reflectance.x, 0.0769F, 1e-3F);
+    expect_color(thin.diffuse, {0, 0, 0});
     s.thickness = 2;
     s.attenuation_distance = 1;
     s.attenuation_color = {0.5F, 1, 1};
