@@ -108,7 +108,9 @@ def lights():
     nodes += [a.add("nodes", mesh=block, translation=[x, 0.3, 0]) for x in (-1.5, 0, 1.5)]
     bulb = a.mesh(sphere(0.08, 12, 6), a.material([0, 0, 0, 1], emissiveFactor=[1, 0.5, 0.2],
                   extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 3}}))
-    nodes.append(a.add("nodes", mesh=bulb, extensions=a.light("point", 6, (1, 0.5, 0.2)), translation=[-1.5, 1.3, 0.6]))
+    # Beside its bulb, which would shade it.
+    glow = a.add("nodes", name="glow", extensions=a.light("point", 3, (1, 0.5, 0.2)), translation=[0, -0.2, 0])
+    nodes.append(a.add("nodes", name="bulb", mesh=bulb, children=[glow], translation=[-1.5, 1.3, 0.6]))
     sign = a.mesh(quad(0.7, 0.4), a.material([0.1, 0.8, 0.9, 1], extensions={"KHR_materials_unlit": {}}))
     nodes.append(a.add("nodes", mesh=sign, translation=[0, 1.2, -0.5]))
     spot = a.light("spot", 25, (0.4, 0.6, 1), spot={"innerConeAngle": 0.2, "outerConeAngle": 0.35})

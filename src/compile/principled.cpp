@@ -42,6 +42,14 @@ float shininess_of(float roughness) {
     return 2 / std::max(roughness2 * roughness2, 1e-4F) - 2;
 }
 
+/// A matt colour that is `color` once what is mirrored or passes has been taken from it: the kernel thins matt light by
+/// that (docs/conventions.md, "Whitted's sum"), channel by channel, which would leave the complementary colour.
+Vec3 unthinned(Vec3 color, Vec3 taken) {
+    Vec3 out;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = color[i] / std::max(1 - taken[i], 0.05F);
+    return out;
+}
+
 /// Mirror, matt and highlight of a surface.
 void set_reflection(const PrincipledSurface& s, float metallic, float roughness, kernel::Material& out) {
     const float root = (s.ior - 1) / (s.ior + 1);
@@ -55,14 +63,15 @@ void set_reflection(const PrincipledSurface& s, float metallic, float roughness,
     Vec3 reflectance = color * (metallic * gloss);
     if (smooth) reflectance += dielectric * ((1 - metallic) * gloss);
     reflectance += kWhite * (0.04F * s.clearcoat * coat_gloss);
-    out.reflectance = to_kernel(clamp01(reflectance));
+    reflectance = clamp01(reflectance);
+    out.reflectance = to_kernel(reflectance);
     if (smooth || s.clearcoat >= 0.5F) out.flags |= kernel::MATERIAL_FRESNEL;
-    out.diffuse = out.ambient = to_kernel(s.base_color * (1 - metallic * gloss));
+    out.diffuse = out.ambient = to_kernel(unthinned(s.base_color * (1 - metallic * gloss), reflectance));
     const float sharpest = s.clearcoat > 0 ? std::min(roughness, s.clearcoat_roughness) : roughness;
     out.shininess = shininess_of(sharpest);
-    // As bright as a lobe of that width has to be to hold what is reflected (Blinn's, normalised); never brighter than
-    // the light.
-    const float peak = (out.shininess + 8) / 8;
+    // As bright as a lobe of that width has to be to hold what is reflected (Blinn's, normalised), but never brighter
+    // than the light. What is rough enough has its highlight in its matt part.
+    const float peak = (1 - sharpest) * (out.shininess + 8) / 8;
     const Vec3 coat = kWhite * (0.04F * s.clearcoat);
     out.specular = to_kernel(clamp01((color * metallic + dielectric * (1 - metallic) + coat) * peak));
 }
@@ -123,6 +132,8 @@ kernel::Material compile_material(const PrincipledSurface& s, const kernel::Mate
             out.transmittance = to_kernel(refracts ? passes : passes * (1 - both_sides));
             const float mirrored = refracts ? 1 : both_sides;
             out.reflectance = {mirrored, mirrored, mirrored};
+            const Vec3 matt = s.base_color * ((1 - transmission) * (1 - metallic));
+            out.diffuse = out.ambient = to_kernel(unthinned(matt, passes));
         }
     }
     set_alpha(s, maps.opacity.texture != kernel::NONE, out);

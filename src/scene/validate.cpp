@@ -74,7 +74,29 @@ struct ShapeCheck {
     }
 };
 
+void check(const Scene& scene, const Material& material, const TextureUse& use) {
+    const std::string thing = "material '" + material.name + "'";
+    require(use.texture == kNone || use.texture < scene.textures.size(), material.where, thing, "lacks a texture");
+    const auto finite = [](Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); };
+    require(finite(use.scale) && finite(use.shear) && finite(use.offset) && std::isfinite(use.strength), material.where,
+            thing, "holds a number that is not finite");
+}
+
+void check_principled(const Scene& scene, const Material& material) {
+    const PrincipledSurface& s = *material.principled;
+    for (const Vec3 color : {s.base_color, s.emission, s.specular_color, s.attenuation_color, s.sheen_color})
+        require(sundog::is_finite(color), material.where, "material '" + material.name + "'",
+                "holds a number that is not finite");
+    for (const TextureUse* use :
+         {&s.base_color_map, &s.metallic_roughness_map, &s.normal_map, &s.occlusion_map, &s.emission_map,
+          &s.specular_map, &s.specular_color_map, &s.transmission_map, &s.thickness_map, &s.clearcoat_map,
+          &s.clearcoat_roughness_map, &s.clearcoat_normal_map, &s.sheen_color_map, &s.sheen_roughness_map,
+          &s.iridescence_map, &s.iridescence_thickness_map, &s.anisotropy_map})
+        check(scene, material, *use);
+}
+
 void check(const Scene& scene, const Material& material) {
+    if (material.principled) check_principled(scene, material);
     const MtlSurface& m = *material.mtl;
     const std::string thing = "material '" + material.name + "'";
     const bool finite = sundog::is_finite(m.ambient.value_or(Vec3{})) && sundog::is_finite(m.diffuse) &&
@@ -86,13 +108,8 @@ void check(const Scene& scene, const Material& material) {
     require(m.ior > 0, material.where, thing, "has an index of refraction of 0 or less");
     require(m.opacity >= 0 && m.opacity <= 1, material.where, thing, "has an opacity outside of 0 to 1");
     for (const TextureUse* use :
-         {&m.map_diffuse, &m.map_specular, &m.map_bump, &m.map_normal, &m.map_opacity, &m.map_emission}) {
-        require(use->texture == kNone || use->texture < scene.textures.size(), material.where, thing,
-                "lacks a texture");
-        require(std::isfinite(use->scale.x) && std::isfinite(use->scale.y) && std::isfinite(use->offset.x) &&
-                    std::isfinite(use->offset.y) && std::isfinite(use->strength),
-                material.where, thing, "holds a number that is not finite");
-    }
+         {&m.map_diffuse, &m.map_specular, &m.map_bump, &m.map_normal, &m.map_opacity, &m.map_emission})
+        check(scene, material, *use);
 }
 
 }  // namespace
@@ -107,6 +124,11 @@ void validate(const Scene& scene) {
     for (const Object& object : scene.objects) {
         const std::string thing = "object '" + object.name + "'";
         std::visit(ShapeCheck{scene, object, thing}, object.shape);
+        if (object.node_motion) {
+            const NodeMotion& motion = *object.node_motion;
+            require(motion.tree && motion.node < motion.tree->nodes.size(), object.where, thing,
+                    "moves with a node that doesn't exist");
+        }
         if (!object.motion) continue;
         const ObjectMotion& m = *object.motion;
         require(sundog::is_finite(m.center) && sundog::is_finite(m.move_speed) && sundog::is_finite(m.move_amplitude) &&

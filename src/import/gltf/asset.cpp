@@ -11,16 +11,26 @@ namespace sundog::import::gltf {
 namespace {
 
 /// What is read, or can be drawn in full without being read.
-constexpr std::array<std::string_view, 18> kExtensions = {
-    "EXT_mesh_gpu_instancing",    "EXT_meshopt_compression",
-    "KHR_draco_mesh_compression", "KHR_lights_punctual",
-    "KHR_materials_anisotropy",   "KHR_materials_clearcoat",
-    "KHR_materials_dispersion",   "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_iridescence",
-    "KHR_materials_sheen",        "KHR_materials_specular",
-    "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_materials_variants",     "KHR_materials_volume",
-    "KHR_mesh_quantization",      "KHR_texture_transform",
+constexpr std::array<std::string_view, 19> kExtensions = {
+    "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression",
+    "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
 };
 
 bool is_known(std::string_view name) {

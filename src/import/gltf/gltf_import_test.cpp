@@ -127,8 +127,8 @@ TEST(GltfImport, LightsAndCamera) {
     ASSERT_EQ(scene.lights.size(), 3U);
     const scene::Light& point = scene.lights[0];
     EXPECT_EQ(point.kind, scene::Light::Kind::lamp);
-    expect_near(point.place, {-1.5F, -0.6F, 1.3F});
-    expect_near(point.color, Vec3{1, 0.5F, 0.2F} * (6 / kPi));
+    expect_near(point.place, {-1.5F, -0.6F, 1.1F});
+    expect_near(point.color, Vec3{1, 0.5F, 0.2F} * (3 / kPi));
     EXPECT_EQ(point.fade_power, 2);
     const scene::Light& spot = scene.lights[1];
     EXPECT_EQ(spot.kind, scene::Light::Kind::spotlight);

@@ -56,6 +56,7 @@ void set_transform(const Json& transform, scene::TextureUse& use) {
     use.scale = {m00, m11};
     use.shear = {-m01, -m10};
     use.offset = {m01 + offset.x, 1 - m11 - offset.y};
+    if (!std::isfinite(use.offset.x) || !std::isfinite(use.offset.y)) transform.fail("the numbers are too large");
 }
 
 /// What stands for a picture of what can't be read.

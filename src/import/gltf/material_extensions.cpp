@@ -54,6 +54,26 @@ void read_specular(const Json& json, TextureReader& textures, scene::PrincipledS
     s.specular_color_map = textures.read(json.member("specularColorTexture"), TextureMeaning::color);
 }
 
+/// Khronos's older model, as a dielectric that reflects what its specular colour says: an ior of 0 stands for one whose
+/// reflectance is 1 times that colour. Glossiness counts by its factor; a map's alpha can't be told apart from colour.
+void read_specular_glossiness(const Json& json, TextureReader& textures, scene::PrincipledSurface& s) {
+    if (const Json color = json.member("diffuseFactor")) {
+        const std::vector<float> c = color.numbers(4);
+        s.base_color = max(Vec3{c[0], c[1], c[2]}, {0, 0, 0});
+        s.alpha = std::clamp(c[3], 0.0F, 1.0F);
+    } else {
+        s.base_color = {1, 1, 1};
+        s.alpha = 1;
+    }
+    s.base_color_map = textures.read(json.member("diffuseTexture"), TextureMeaning::color);
+    s.metallic = 0;
+    s.metallic_roughness_map = {};
+    s.roughness = 1 - json.share_or("glossinessFactor", 1);
+    s.ior = 0;
+    s.specular_color = min(color_or(json, "specularFactor", {1, 1, 1}), {1, 1, 1});
+    s.specular_color_map = textures.read(json.member("specularGlossinessTexture"), TextureMeaning::color);
+}
+
 }  // namespace
 
 void read_extensions(const Json& material, TextureReader& textures, scene::PrincipledSurface& s) {
@@ -66,13 +86,15 @@ void read_extensions(const Json& material, TextureReader& textures, scene::Princ
     if (const Json json = material.extension("KHR_materials_dispersion"))
         s.dispersion = json.share_or("dispersion", 0, 0, kMost);
     if (const Json json = material.extension("KHR_materials_emissive_strength"))
-        s.emission *= json.share_or("emissiveStrength", 1, 0, kMost);
+        s.emission = min(s.emission * json.share_or("emissiveStrength", 1, 0, kMost), {kMost, kMost, kMost});
     if (const Json json = material.extension("KHR_materials_ior")) {
         const float ior = json.number_or("ior", 1.5F);
         if (ior != 0 && ior < 1) json.required("ior").fail("expected 0, or 1 and more");
         s.ior = ior;
     }
     if (const Json json = material.extension("KHR_materials_iridescence")) read_iridescence(json, textures, s);
+    if (const Json json = material.extension("KHR_materials_pbrSpecularGlossiness"))
+        read_specular_glossiness(json, textures, s);
     if (const Json json = material.extension("KHR_materials_sheen")) read_sheen(json, textures, s);
     if (const Json json = material.extension("KHR_materials_specular")) read_specular(json, textures, s);
     if (const Json json = material.extension("KHR_materials_transmission")) {

@@ -37,7 +37,7 @@ std::string name_of(const Json& node, const Json& mesh, std::size_t index) {
 
 void refuse_far_places(const scene::Mesh& mesh, const Json& node) {
     for (const Vec3 p : mesh.positions)
-        if (!is_finite(p)) node.fail("the node's place takes its mesh beyond single precision");
+        if (!is_finite(p)) node.fail("a mesh is placed beyond single precision");
 }
 
 }  // namespace
@@ -75,6 +75,8 @@ void read_objects(Asset& asset, const NodeGraph& graph, const WeightTracks& weig
         }
     }
     scene::deform(asset.scene(), 0);
+    for (const scene::Object& object : asset.scene().objects)
+        if (object.deformation) refuse_far_places(*std::get<Boxed<scene::Mesh>>(object.shape), asset.list("nodes"));
 }
 
 }  // namespace sundog::import::gltf

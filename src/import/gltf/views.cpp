@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace sundog::import::gltf {
@@ -90,8 +91,9 @@ void read_camera_of(Asset& asset, const NodeGraph& graph) {
         const auto index = graph.json(asset, node).index_or_none("camera", asset.list("cameras").size(), "cameras");
         if (!index) continue;
         scene::ProjectionCamera camera = read_camera(asset.list("cameras")[*index]);
-        if (std::abs(determinant(graph.world_from_node[node])) < 1e-30F) {
-            asset.warn(graph.json(asset, node).warning("the camera's node is scaled to nothing"));
+        const float volume = std::abs(determinant(graph.world_from_node[node]));
+        if (!(volume > 1e-30F) || !std::isfinite(volume) || !is_finite(graph.world_from_node[node].t)) {
+            asset.warn(graph.json(asset, node).warning("the camera's node is scaled to nothing, or out of the world"));
             continue;
         }
         propose_size(static_cast<float>(length(camera.right) / length(camera.up)), asset.scene().settings);
@@ -112,7 +114,10 @@ void read_lights(Asset& asset, const NodeGraph& graph) {
         scene::Light light = read_light(lights[index]);
         light.where = lights[index].location();
         light.motion = motion_of(graph, node);
-        asset.scene().lights.push_back(graph.moves[node] ? light : scene::placed_at(light, 0));
+        const scene::Light placed = scene::placed_at(light, 0);
+        if (!is_finite(placed.place) || !is_finite(placed.point_at))
+            use.fail("the node's place takes the light beyond single precision");
+        asset.scene().lights.push_back(graph.moves[node] ? light : placed);
     }
 }
 
