@@ -37,7 +37,7 @@ _sundog() {
   case $command in
     render)
       options+=" --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
-      options+=" --time --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --camera --pixel --quiet"
+      options+=" --time --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --camera --pixel --denoise --quiet"
       files='@(scene|obj|conf)' ;;
     view) options+=" --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|conf)' ;;

@@ -41,6 +41,7 @@ struct RenderArguments {
     std::optional<Acceleration> acceleration;  ///< If asked for: then on the CPU.
     PrimaryHits primary = PrimaryHits::automatic;
     Shown shown = Shown::picture;
+    bool denoise = false;
     bool quiet = false;
     FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.
 };

@@ -154,6 +154,8 @@ TEST(Output, OptionsReachThePicture) {
     EXPECT_TRUE(mapped != picture({"--tone-map", "agx", "--white-balance", "4000"}));
     EXPECT_TRUE(plain != picture({"--spp", "4"}));
     EXPECT_TRUE(plain != picture({"--time", "3"}));
+    EXPECT_TRUE(picture({"--spp", "4", "--denoise"}) != picture({"--spp", "4"}));
+    EXPECT_TRUE(picture({"--spp", "4", "--denoise", "--threads", "1"}) == picture({"--spp", "4", "--denoise"}));
 }
 
 // Catches --pixel naming another object than the one that the picture shows there.
