@@ -10,7 +10,6 @@
 #include "loading.h"
 #include "picture.h"
 #include "usage_error.h"
-#include "viewer/replay.h"
 
 namespace sundog::app {
 namespace {
@@ -19,6 +18,7 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  sundog render table.scene -o table.png --size 1920x1080 --spp 16\n"
     "  sundog render table.scene -o turn.mp4 --frames 0..249 --fps 25\n"
+    "  sundog render model.obj -o model.mp4 --camera iso --turntable 100\n"
     "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
     "  sundog render table.scene -o table.exr --aov depth,normal\n"
     "  sundog render table.scene -o table.png --spp 16 --denoise\n"
@@ -27,16 +27,6 @@ constexpr const char* kExamples =
     "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
 
 constexpr float kLongestTime = 1e6F;
-
-kernel::Camera parse_camera(const std::string& text) {
-    const auto camera = viewer::parse_camera_argument(text);
-    if (!camera)
-        throw UsageError(
-            "--camera: expected twelve numbers with commas between them: the eye, the way to the window's middle, half "
-            "its width and half its height, each x,y,z",
-            "the window of 'sundog view' shows the whole command for a picked pixel");
-    return *camera;
-}
 
 /// The size that the picture will have, when neither option nor scene says: as
 /// make_frame decides.
@@ -110,6 +100,11 @@ int render(RenderArguments arguments) {
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
+    if (arguments.turntable) {
+        if (arguments.frames || arguments.pixel || arguments.shown == Shown::cost)
+            throw UsageError("--turntable makes frames of its own: leave --frames, --pixel and --show cost out");
+        arguments.frames = FrameRange{0, *arguments.turntable - 1};
+    }
     // What can be known to fail is found out before the scene is read and
     // rendered.
     if (arguments.frame.width)
@@ -130,6 +125,11 @@ int render(RenderArguments arguments) {
     arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs, arguments.denoise);
+    if (arguments.view) {
+        const Size size = size_of(make_frame(scene, *compiled, arguments.frame));
+        arguments.frame.camera = camera_of(*arguments.view, scene::compass_of(scene), compiled->bounds,
+                                           static_cast<float>(size.width) / static_cast<float>(size.height));
+    }
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
                                     arguments.acceleration.value_or(Acceleration::embree), arguments.primary));
     session.load(compiled);
@@ -247,9 +247,20 @@ void add_render(CLI::App& program, Action& action) {
         ->type_name("LIST");
     command
         ->add_option_function<std::string>(
-            "--camera", [&a](Text text) { a.frame.camera = parse_camera(text); },
-            "Instead of the scene's camera, as 'sundog view' writes it")
-        ->type_name("LIST");
+            "--camera",
+            [&a](Text text) {
+                const auto camera = parse_camera(text);
+                if (const View* view = std::get_if<View>(&camera)) a.view = *view;
+                else a.frame.camera = std::get<kernel::Camera>(camera);
+            },
+            "Instead of the scene's camera: front, back, left, right, top, bottom or iso, which find the scene, or "
+            "twelve numbers as 'sundog view' writes them")
+        ->type_name("NAME|LIST");
+    command
+        ->add_option_function<std::string>(
+            "--turntable", [&a](Text text) { a.turntable = parse_int("--turntable", text, 1, 100000); },
+            "Render N frames of the camera going once round the scene, at the moment of --time")
+        ->type_name("N");
     command
         ->add_option_function<std::string>(
             "--pixel", [&a](Text text) { a.pixel = parse_pixel(text); },

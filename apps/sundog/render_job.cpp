@@ -186,6 +186,8 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     const int count = range.last - range.first + 1;
     FrameOptions options = arguments.frame;
     const Frame first = make_frame(stage.scene, stage.compiled, options);
+    const scene::Compass compass = scene::compass_of(stage.scene);
+    const Vec3 pivot = stage.compiled.bounds.empty() ? Vec3{} : stage.compiled.bounds.center();
     FrameWriter writer(plan, {static_cast<int>(first.params.width), static_cast<int>(first.params.height)},
                        arguments.frames_per_second);
     const InterruptGuard interrupt;
@@ -197,7 +199,12 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     std::uint64_t rays = 0;
     bool stopped = false;
     for (int number = range.first; number <= range.last && !stopped; ++number) {
-        options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
+        if (arguments.turntable) {
+            const float angle_deg = 360 * static_cast<float>(number) / static_cast<float>(count);
+            options.camera = turned(first.params.camera, compass, pivot, angle_deg);
+        } else {
+            options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
+        }
         const Frame frame = make_frame(stage.scene, stage.compiled, options);
         const auto report = [&](const Progress& p) {
             line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
