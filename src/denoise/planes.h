@@ -12,6 +12,7 @@ inline constexpr int kReach = 7;      ///< How far away pixels are looked at, in
 inline constexpr int kPatch = 3;      ///< Of the squares that are compared: so far around a pixel.
 inline constexpr int kTileSide = 32;  ///< Of what one task filters.
 inline constexpr int kMargin = kReach + kPatch;
+inline constexpr std::size_t kTilePixels = std::size_t{kTileSide} * kTileSide;
 
 /// Where pixels lie in planes whose sides are whole tiles.
 struct Layout {

@@ -25,7 +25,7 @@ constexpr int kTerms = 6;
 constexpr int kProducts = kTerms * (kTerms + 1) / 2;
 
 using TileRow = std::array<float, kSide>;
-using TilePlane = std::array<float, kSide * kSide>;
+using TilePlane = std::array<float, kTilePixels>;
 
 /// Weighted sums, of each pixel of a tile.
 struct Sums {
@@ -41,8 +41,8 @@ float weight_of(float d) {
 
 /// Mean distance of the patches around each pixel from those at an offset, in squares of their noise.
 void patch_distances(const Light& light, std::ptrdiff_t first, std::ptrdiff_t offset, int stride, TilePlane& out) {
-    std::array<float, kWide * kWide> single;
-    std::array<float, kSide * kWide> rows;
+    std::array<float, std::size_t{kWide} * kWide> single;
+    std::array<float, std::size_t{kSide} * kWide> rows;
     const float* const r = light.channels[0].data();
     const float* const g = light.channels[1].data();
     const float* const b = light.channels[2].data();
