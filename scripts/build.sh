@@ -7,6 +7,7 @@ build_packages=(
   build-essential cmake ninja-build pkg-config glslang-tools
   libembree-dev libtbb-dev libvulkan-dev libsdl2-dev libimgui-dev libfreetype-dev
   libgif-dev libopenexr-dev libpng-dev libjpeg-dev libstb-dev libfmt-dev libcli11-dev libgtest-dev libbenchmark-dev
+  nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev
 )
 # What the tests drive besides: a software Vulkan, an X server, a mouse, a video encoder, the gallery's generator, and
 # POV-Ray, whose pictures and include files scenes are compared with and read.

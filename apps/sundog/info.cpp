@@ -66,7 +66,7 @@ void print_objects(const scene::Scene& scene, bool all) {
     const std::size_t shown = all ? scene.objects.size() : std::min(scene.objects.size(), kMostObjects);
     for (std::size_t i = 0; i < shown; ++i) {
         const scene::Object& object = scene.objects[i];
-        fmt::print("  {:<20} {}{}\n", object.name, kind_of(object), object.motion ? ", moving" : "");
+        fmt::print("  {:<20} {}{}\n", object.name, kind_of(object), scene::moves(object) ? ", moving" : "");
     }
     if (shown < scene.objects.size()) fmt::print("  … and {} more (--all lists them)\n", scene.objects.size() - shown);
 }
@@ -121,7 +121,8 @@ void add_info(CLI::App& program, Action& action) {
     CLI::App* command = program.add_subcommand("info", "Tell what a scene holds, or which devices there are");
     command->footer(kExamples);
     const auto arguments = std::make_shared<InfoArguments>();
-    command->add_option("scene", arguments->scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
+    command->add_option("scene", arguments->scene,
+                        "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
     command->add_flag("--devices", arguments->devices, "List the devices and why one can't be used");
     command->add_flag("--all", arguments->all, "List all objects");
     command->callback([arguments, &action] {

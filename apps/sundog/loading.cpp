@@ -13,7 +13,7 @@ std::filesystem::path scene_file_or_config(const std::string& named) {
     std::error_code ignored;
     if (!std::filesystem::exists(config, ignored))
         throw UsageError("no scene was named, and the working folder holds no raytracer.conf",
-                         "name a .scene or .obj file");
+                         "name a .scene, .obj, .gltf or .glb file");
     return config;
 }
 

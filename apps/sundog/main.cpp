@@ -24,8 +24,8 @@ constexpr const char* kExamples =
     "  sundog render scenes/table/table.scene -o table.mp4 --frames 0..249\n"
     "  sundog info --devices\n"
     "  sundog pov scene.pov +W800 +H600 +A0.3\n"
-    "'sundog help COMMAND' tells more of one. A scene is a .scene or .obj file; without one, raytracer.conf in the\n"
-    "working folder names it.";
+    "'sundog help COMMAND' tells more of one. A scene is a .scene, .obj, .gltf or .glb file; without one,\n"
+    "raytracer.conf in the working folder names it.";
 
 /// All names that could have been meant where `called` was misspelt.
 std::vector<std::string> valid_names(const CLI::App& called, bool options) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render.h"
+#include "scene/deformation.h"
 
 #include <fmt/format.h>
 
@@ -122,6 +123,7 @@ int render(RenderArguments arguments) {
     WarningPrinter warnings;
     const WarningSink warn = warnings.sink();
     scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs, arguments.denoise);
@@ -154,7 +156,7 @@ void add_render(CLI::App& program, Action& action) {
     RenderArguments& a = *arguments;
     using Text = const std::string&;
 
-    command->add_option("scene", a.scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
+    command->add_option("scene", a.scene, "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
     command->add_option(
         "-o,--output", a.output,
         "Picture (.png .jpg .exr .hdr .ppm .tga .bmp), video (.mp4 .webm .gif), or - for standard output");
@@ -200,6 +202,22 @@ void add_render(CLI::App& program, Action& action) {
             "cost: instead of the picture, how many steps through the structure each pixel takes; rays: the pixels "
             "that --preview traces are white")
         ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--integrator",
+            [&a](Text text) {
+                a.frame.integrator = parse_choice("--integrator", text, {"whitted", "path"}) == "path"
+                                         ? kernel::INTEGRATOR_PATH
+                                         : kernel::INTEGRATOR_WHITTED;
+            },
+            "whitted (mirrors, glass and sharp shadows; default) or path (all light there is, with noise that fades)")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--seed",
+            [&a](Text text) { a.frame.seed = static_cast<std::uint32_t>(parse_int("--seed", text, 0, 1000000000)); },
+            "Another number, another noise, for --integrator path (0)")
+        ->type_name("N");
     add_sampling_options(*command, a.sampling);
     command
         ->add_option_function<std::string>(

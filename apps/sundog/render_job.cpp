@@ -15,6 +15,7 @@
 #include "output/video.h"
 #include "picture.h"
 #include "render.h"
+#include "scene/deformation.h"
 #include "session/blocks.h"
 #include "usage_error.h"
 
@@ -196,6 +197,10 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
+    // Meshes that are bent over time are made anew for each frame, and all else with them.
+    std::optional<scene::Scene> bent;
+    if (scene::is_deforming(stage.scene) && !stage.scene.settings.freeze_s) bent = stage.scene;
+    std::shared_ptr<const RenderScene> bent_compiled;
     std::uint64_t rays = 0;
     bool stopped = false;
     for (int number = range.first; number <= range.last && !stopped; ++number) {
@@ -205,7 +210,12 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         } else {
             options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
         }
-        const Frame frame = make_frame(stage.scene, stage.compiled, options);
+        if (bent) {
+            scene::deform(*bent, options.time_s);
+            bent_compiled = compile(*bent, {});
+            stage.session.load(bent_compiled);
+        }
+        const Frame frame = make_frame(stage.scene, bent ? *bent_compiled : stage.compiled, options);
         const auto report = [&](const Progress& p) {
             line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
         };

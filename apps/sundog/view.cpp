@@ -43,7 +43,8 @@ void add_view(CLI::App& program, Action& action) {
     viewer::ViewOptions& o = arguments->options;
     using Text = const std::string&;
 
-    command->add_option("scene", arguments->scene, "A .scene, .obj or .conf file; raytracer.conf if left out");
+    command->add_option("scene", arguments->scene,
+                        "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
     command
         ->add_option_function<std::string>(
             "--size",

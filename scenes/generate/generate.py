@@ -9,6 +9,7 @@
 import sys
 from pathlib import Path
 
+from gltf_models import GLTF
 from models import MODELS
 from picture import unpacked
 from textures import TEXTURES
@@ -22,6 +23,8 @@ def contents():
         yield SCENES / name, make().text().encode()
     for name, make in TEXTURES.items():
         yield SCENES / name, make().png()
+    for name, make in GLTF.items():
+        yield SCENES / name, make()
 
 
 def equal(file, wanted):

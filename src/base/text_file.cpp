@@ -14,14 +14,6 @@ namespace {
 
 constexpr std::size_t kSentinelBytes = 2;
 
-/// The machine's memory, where the system tells it; else without bound.
-std::size_t physical_memory_bytes() {
-    std::ifstream in("/proc/meminfo");
-    std::string label;
-    std::size_t kibibytes = 0;
-    return in >> label >> kibibytes && label == "MemTotal:" ? kibibytes * 1024 : SIZE_MAX;
-}
-
 /// Reads up to `size` bytes; returns how many there were.
 std::size_t read_up_to(std::ifstream& in, char* to, std::size_t size) {
     in.read(to, static_cast<std::streamsize>(size));
@@ -44,6 +36,13 @@ SourceText make_text(std::shared_ptr<const std::string> name, const std::shared_
 }
 
 }  // namespace
+
+std::size_t physical_memory_bytes() {
+    std::ifstream in("/proc/meminfo");
+    std::string label;
+    std::size_t kibibytes = 0;
+    return in >> label >> kibibytes && label == "MemTotal:" ? kibibytes * 1024 : SIZE_MAX;
+}
 
 Diagnostic diagnose_file(Severity severity, const std::shared_ptr<const std::string>& name, std::string message,
                          std::string hint) {

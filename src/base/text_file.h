@@ -18,6 +18,9 @@ struct SourceText {
     std::string_view text;                    ///< Two newlines follow its end in memory, for scan.h.
 };
 
+/// The machine's memory, where the system tells it; else without bound.
+std::size_t physical_memory_bytes();
+
 /// Reads a whole text file. A byte order mark is left out; a file with carriage returns alone gets newlines.
 /// Reading (not mapping) keeps a file that someone rewrites meanwhile from taking the program down.
 /// Errors: InputError for what is missing, unreadable, no regular file (a folder, a device), binary, UTF-16, or

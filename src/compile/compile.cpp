@@ -8,10 +8,12 @@
 
 #include "compile/camera.h"
 #include "compile/convert.h"
+#include "compile/emitters.h"
 #include "compile/material.h"
 #include "compile/mesh.h"
 #include "compile/pattern_compiler.h"
 #include "compile/photon_targets.h"
+#include "compile/principled.h"
 #include "compile/solid.h"
 #include "solids/compiled_solid.h"
 
@@ -39,11 +41,16 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
     out.material_maps.push_back(no_maps());
     out.materials.reserve(scene.materials.size());
     for (const scene::Material& m : scene.materials) {
-        if (m.patterned) {
+        if (m.patterned && !m.principled) {
             out.materials.push_back(patterns.compile_surface(m));
         } else {
-            const kernel::MaterialMaps maps = compile_maps(*m.mtl, scene.textures);
-            out.materials.push_back(compile_material(*m.mtl, maps));
+            const kernel::MaterialMaps maps =
+                m.principled ? compile_maps(*m.principled, scene.textures) : compile_maps(*m.mtl, scene.textures);
+            out.materials.push_back(m.principled ? compile_material(*m.principled, maps, scene.textures)
+                                                 : compile_material(*m.mtl, maps));
+            kernel::Material& compiled = out.materials.back();
+            compiled.emission_power = emission_power({compiled.emission.x, compiled.emission.y, compiled.emission.z},
+                                                     maps.emission.texture, scene.textures);
             if (any_map(maps)) {
                 out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
                 out.material_maps.push_back(maps);
@@ -53,7 +60,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
     patterns.compile_sky();
     if (scene.projection_camera && scene.projection_camera->normal)
         out.camera_normal = patterns.normals_of(*scene.projection_camera->normal);
-    if (out.materials.empty()) out.materials.push_back(compile_material({}, no_maps()));
+    if (out.materials.empty()) out.materials.push_back(compile_material(scene::MtlSurface{}, no_maps()));
 }
 
 /// What of the camera the kernel doesn't have.
@@ -160,7 +167,7 @@ public:
 
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
-        if (object.motion) geometry.instance = instance_count_++;
+        if (scene::moves(object)) geometry.instance = instance_count_++;
         geometry.hidden_from = hidden_from(object, some_project_, photons_);
         if (photons_) geometry.photons = targets_.photons_of(object_);
         out_.geometries.push_back(geometry);
@@ -189,7 +196,7 @@ private:
     /// A scene may consist of a million spheres, each an object: those in a row that go by one name are one geometry.
     [[nodiscard]] bool continues_run(const kernel::Geometry& g, const scene::Object& object) const {
         if (g.kind == kernel::GEOMETRY_SOLID || g.kind == kernel::GEOMETRY_PLANE || out_.geometries.empty() ||
-            object.motion)
+            scene::moves(object))
             return false;
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
@@ -224,8 +231,8 @@ Bounds3 bounds_of(const scene::Object& object) {
 }
 
 Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
-    if (!object.motion || bounds.empty()) return bounds;
-    const Affine3 world_from_object = scene::transform_at(*object.motion, 0);
+    if (!scene::moves(object) || bounds.empty()) return bounds;
+    const Affine3 world_from_object = scene::transform_at(object, 0);
     Bounds3 world;
     for (unsigned corner = 0; corner < 8; ++corner)
         world.include(transform_point(world_from_object, {(corner & 1U) ? bounds.upper.x : bounds.lower.x,
@@ -290,6 +297,8 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         list.add_bounds(world_bounds_of(object, bounds_of(object)));
     }
     list.finish(warn);
+    find_shining(*out);
+    if (scene.environment) compile_environment(*scene.environment, *out);
     out->features = features_of(*out, attributes, list.moving());
     const auto grouped = [](const scene::Light& light) { return light.group != 0; };
     if (!scene.light_sets.empty() || std::any_of(scene.lights.begin(), scene.lights.end(), grouped))

@@ -27,7 +27,9 @@ struct FrameOptions {
     std::optional<kernel::Camera> camera;  ///< Instead of the scene's own.
     std::uint32_t aovs = 0;                ///< AOV_* bits
     kernel::PixelSampling sampling{};      ///< Else the middle first, then all over the pixel's square.
-    bool radiosity = true;                 ///< False: scenes that have it are drawn with ambient light instead.
+    std::uint32_t integrator = kernel::INTEGRATOR_WHITTED;
+    std::uint32_t seed = 0;  ///< Of paths: another one gives other noise.
+    bool radiosity = true;   ///< False: scenes that have it are drawn with ambient light instead.
 };
 
 /// The frame of a compiled scene at a moment: camera, lights, moving objects, limits.

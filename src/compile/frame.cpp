@@ -6,6 +6,7 @@
 
 #include "compile/compile.h"
 #include "compile/convert.h"
+#include "compile/emitters.h"
 #include "compile/insides_at.h"
 #include "compile/lights.h"
 
@@ -36,8 +37,7 @@ std::vector<kernel::Instance> instances_at(const scene::Scene& scene, const Rend
         const std::uint32_t instance = compiled.geometries[i].instance;
         if (instance == kernel::NONE) continue;
         if (instances.size() <= instance) instances.resize(instance + 1);
-        instances[instance] =
-            instance_of(scene::transform_at(*scene.objects[compiled.geometry_objects[i]].motion, time_s));
+        instances[instance] = instance_of(scene::transform_at(scene.objects[compiled.geometry_objects[i]], time_s));
     }
     if (instances.empty()) instances.resize(1);
     return instances;
@@ -114,8 +114,9 @@ void set_camera(const scene::Scene& scene, const FrameOptions& options, float ti
     if (options.camera) {
         params.camera = *options.camera;
     } else if (scene.projection_camera) {
-        const scene::ProjectionCamera& camera = *scene.projection_camera;
-        params.camera = window_of(camera, camera.right);
+        const scene::ProjectionCamera camera = scene::placed_at(*scene.projection_camera, time_s);
+        const float aspect = static_cast<float>(params.width) / static_cast<float>(params.height);
+        params.camera = camera.fits_picture ? camera_at(camera, aspect) : window_of(camera, camera.right);
         params.camera_kind = kernel_camera_kind(camera);
         params.camera_angle = radians(static_cast<float>(camera.angle_deg));
         params.camera_vertical_angle = radians(static_cast<float>(camera.vertical_angle_deg));
@@ -242,8 +243,19 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
         params.features |= kernel::FEATURE_ATMOSPHERE;
     if (choose(options.shadows, settings.shadows, true) && some_light_casts_shadows)
         params.features |= kernel::FEATURE_SHADOWS;
-    if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
-    if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
+    params.environment = compiled.environment;
+    if (params.environment.width > 0) params.features |= kernel::FEATURE_ENVIRONMENT;
+    params.integrator = options.integrator;
+    params.seed = options.seed;
+    if (options.integrator == kernel::INTEGRATOR_PATH) {
+        // Paths find the light that these stand for.
+        params.ambient = {0, 0, 0};
+        list_emitters(compiled, frame);
+    } else {
+        frame.emitters.resize(1);
+        if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
+        if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
+    }
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

@@ -39,8 +39,9 @@ void set_area(const scene::LightArea& area, kernel::Light& out) {
 
 }  // namespace
 
-kernel::Light light_at(const scene::Light& light, float time_s) {
-    Vec3 place = scene::place_at(light, time_s);
+kernel::Light light_at(const scene::Light& written, float time_s) {
+    const scene::Light light = scene::placed_at(written, time_s);
+    Vec3 place = light.place;
     if (light.kind == scene::Light::Kind::sun) {
         place = normalize(place);
         // A moving sun may pass through the origin, where it has no direction; straight above is as good as any.

@@ -17,15 +17,13 @@ bool black(Vec3 c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
 bool black(const kernel::vec3& c) { return !(c.x > 0 || c.y > 0 || c.z > 0); }
 Vec3 clamp01(Vec3 c) { return min(max(c, {0, 0, 0}), kWhite); }
 
-kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures) {
-    kernel::TextureRef ref{};
-    ref.texture = use.texture < textures.size() && !textures[use.texture].rgba8.empty() ? use.texture : kernel::NONE;
-    ref.flags =
-        (use.clamp ? kernel::TEXTURE_CLAMP : 0U) | (std::uint32_t{use.channel} << kernel::TEXTURE_CHANNEL_SHIFT);
-    ref.scale = to_kernel(use.scale);
-    ref.offset = to_kernel(use.offset);
-    ref.strength = use.strength;
-    return ref;
+std::uint32_t wrap_flags(const scene::TextureUse& use) {
+    using Wrap = scene::TextureUse::Wrap;
+    if (use.wrap_u == Wrap::clamp && use.wrap_v == Wrap::clamp) return kernel::TEXTURE_CLAMP;
+    return (use.wrap_u == Wrap::clamp ? kernel::TEXTURE_CLAMP_U : 0U) |
+           (use.wrap_v == Wrap::clamp ? kernel::TEXTURE_CLAMP_V : 0U) |
+           (use.wrap_u == Wrap::mirror ? kernel::TEXTURE_MIRROR_U : 0U) |
+           (use.wrap_v == Wrap::mirror ? kernel::TEXTURE_MIRROR_V : 0U);
 }
 
 bool refracts(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
@@ -66,6 +64,19 @@ void set_pbr(const scene::MtlSurface& m, kernel::Material& out) {
 }
 
 }  // namespace
+
+kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures) {
+    kernel::TextureRef ref{};
+    ref.texture = use.texture < textures.size() && !textures[use.texture].rgba8.empty() ? use.texture : kernel::NONE;
+    ref.flags = wrap_flags(use) | (std::uint32_t{use.channel} << kernel::TEXTURE_CHANNEL_SHIFT) |
+                (use.nearest ? kernel::TEXTURE_NEAREST : 0U);
+    ref.scale = to_kernel(use.scale);
+    if (!(use.shear == Vec2{})) ref.flags |= kernel::TEXTURE_TURNED;
+    ref.shear = to_kernel(use.shear);
+    ref.offset = to_kernel(use.offset);
+    ref.strength = use.strength;
+    return ref;
+}
 
 kernel::MaterialMaps no_maps() {
     kernel::MaterialMaps maps{};

@@ -35,6 +35,9 @@ namespace sundog {
 kernel::MaterialMaps no_maps();
 bool any_map(const kernel::MaterialMaps& maps);
 
+/// The kernel's form of a texture's use; those of textures without pixels are dropped.
+kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures);
+
 /// The textures of `material`. They keep their index into Scene::textures; those of textures without pixels are
 /// dropped.
 kernel::MaterialMaps compile_maps(const scene::MtlSurface& material, std::span<const scene::Texture> textures);

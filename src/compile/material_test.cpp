@@ -121,7 +121,7 @@ TEST(CompileMaterial, TextureUses) {
     scene::MtlSurface m = material(2);
     m.map_diffuse.texture = 0;
     m.map_opacity.texture = 1;
-    m.map_opacity.clamp = true;
+    m.map_opacity.wrap_u = m.map_opacity.wrap_v = scene::TextureUse::Wrap::clamp;
     m.map_opacity.channel = 4;
     const kernel::MaterialMaps maps = compile_maps(m, textures);
     const kernel::Material k = compile_material(m, maps);

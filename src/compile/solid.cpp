@@ -122,7 +122,7 @@ private:
     }
     /// Planes are asked one by one, by all rays: what some rays don't see can't be among them.
     bool write_plane(const scene::HalfSpace& half_space, const Affine3d& m, std::uint32_t material, bool inverted) {
-        if (needs_uv(material) || object_.motion || !object_.casts_shadow || !object_.seen_by_camera ||
+        if (needs_uv(material) || scene::moves(object_) || !object_.casts_shadow || !object_.seen_by_camera ||
             !object_.seen_in_reflections || !object_.seen_by_radiosity || !(std::abs(determinant(m)) > 0))
             return false;
         const Vec3d normal = normalize(transform_normal(inverse(m), half_space.normal));

@@ -58,6 +58,11 @@ struct PhotonTarget {
     std::uint32_t flags = 0;  ///< PHOTONS_*, without a number.
 };
 
+/// A triangle or sphere whose material shines.
+struct ShiningPrimitive {
+    std::uint32_t geometry = 0, primitive = 0;
+};
+
 /// A compiled scene: the kernel's arrays (see kernel/arrays.h), immutable once made by compile(), shared by devices.
 /// `materials` are those of the Scene, in its order.
 struct RenderScene : render_scene_detail::Arrays {
@@ -69,6 +74,8 @@ struct RenderScene : render_scene_detail::Arrays {
     std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
     std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
+    std::vector<ShiningPrimitive> shining;        ///< What paths may aim at.
+    kernel::Environment environment{};            ///< Its `probability` is the frame's; width 0: there is none.
     std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.
     std::optional<SourceLocation> photons;        ///< Where the scene asks for them, if it does.
     std::vector<PhotonTarget> photon_targets;     ///< By their numbers less one.
@@ -132,12 +139,13 @@ struct PhotonMapping {
     friend bool operator==(const PhotonMapping&, const PhotonMapping&) = default;
 };
 
-/// Everything about a picture that is not the RenderScene. `lights` and `instances` are never empty (one zeroed
-/// element stands in; params.light_count says how many lights count).
+/// Everything about a picture that is not the RenderScene. `lights`, `instances` and `emitters` are never empty (one
+/// zeroed element stands in; params.light_count says how many lights count).
 struct Frame {
     kernel::FrameParams params{};
     std::vector<kernel::Light> lights;
     std::vector<kernel::Instance> instances;        ///< As many as the scene's geometries refer to.
+    std::vector<kernel::Emitter> emitters;          ///< Of INTEGRATOR_PATH: params.emitter_count says how many count.
     std::optional<IrradianceCaching> radiosity;     ///< Set where params.features has FEATURE_RADIOSITY.
     std::optional<PhotonMapping> photons;           ///< Set where params.features has FEATURE_PHOTONS.
     std::shared_ptr<const CameraRays> camera_rays;  ///< As in RenderScene, unless the caller has a camera of its own.

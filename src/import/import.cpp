@@ -8,6 +8,7 @@
 
 #include "base/paths.h"
 #include "base/text_file.h"
+#include "import/gltf/gltf_import.h"
 #include "import/obj/obj_import.h"
 #include "import/orbit/orbit_import.h"
 #include "import/orbit/orbit_keys.h"
@@ -34,8 +35,8 @@ void stand_up(scene::Scene& scene) {
     }
 }
 
-/// An orbit around all there is, a sun and some light from everywhere.
-void add_surroundings(scene::Scene& scene) {
+/// An orbit around all there is.
+void add_camera(scene::Scene& scene) {
     constexpr float kMargin = 1.1F;
     constexpr float kFocus = 24;  // 53 degrees high
     const Bounds3 bounds = scene::bounds_of(scene);
@@ -47,6 +48,10 @@ void add_surroundings(scene::Scene& scene) {
     scene.camera.distance = kMargin * radius / std::sin(half_height);
     scene.camera.rot_x_deg.base = -20;
     scene.camera.rot_z_deg = {scene::Motion::Kind::linear, 0, 20, 0};
+}
+
+/// A sun and some light from everywhere.
+void add_daylight(scene::Scene& scene) {
     scene::Light sun;
     sun.kind = scene::Light::Kind::sun;
     sun.place = {-0.5F, -0.8F, 1.2F};
@@ -61,7 +66,26 @@ scene::Scene import_model(const std::filesystem::path& file, const WarningSink& 
     import_obj(file, scene, warn);
     if (scene.materials.empty()) scene.materials.emplace_back().name = "default";
     stand_up(scene);
-    add_surroundings(scene);
+    add_camera(scene);
+    add_daylight(scene);
+    return scene;
+}
+
+/// True if something is there to give light: a surface that shines all over, for pictures of screens and lamps on
+/// things light nothing.
+bool has_light(const scene::Scene& scene) {
+    const auto shines = [](const scene::Material& m) {
+        return m.principled && m.principled->emission_map.texture == scene::kNone &&
+               !(m.principled->emission == Vec3{});
+    };
+    return !scene.lights.empty() || scene.environment ||
+           std::any_of(scene.materials.begin(), scene.materials.end(), shines);
+}
+
+scene::Scene import_gltf_model(const std::filesystem::path& file, const WarningSink& warn) {
+    scene::Scene scene = gltf::import_gltf(file, warn);
+    if (!scene.projection_camera) add_camera(scene);
+    if (!has_light(scene)) add_daylight(scene);
     return scene;
 }
 
@@ -96,10 +120,11 @@ scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& 
     const std::string ending = ending_of(file);
     if (ending == ".conf") return import_default_scene(file, warn);
     if (ending == ".obj") return import_model(file, warn);
+    if (ending == ".gltf" || ending == ".glb") return import_gltf_model(file, warn);
     if (ending == ".pov") return import_pov_scene(file, warn);
     if (ending != ".scene") {
         fail_file(std::make_shared<const std::string>(file.string()), "a scene of unknown format",
-                  "expected a .scene, .obj, .pov or .conf file");
+                  "expected a .scene, .obj, .gltf, .glb, .pov or .conf file");
     }
     const std::filesystem::path config_file = file.parent_path() / "raytracer.conf";
     if (!is_file(config_file)) return import_orbit_scene(file, warn);

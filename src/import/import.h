@@ -10,8 +10,8 @@
 namespace sundog::import {
 
 /// Reads any scene file by its ending: .scene (orbit; a raytracer.conf beside it gives its settings), .obj (with a
-/// camera that frames its bounds, orbiting, and a sun), .pov (POV-Ray, for a picture of 640x480), .conf (its
-/// defaultScene). Errors: InputError.
+/// camera that frames its bounds, orbiting, and a sun), .gltf and .glb (with such a camera and sun where it has none),
+/// .pov (POV-Ray, for a picture of 640x480), .conf (its defaultScene). Errors: InputError.
 scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& warn);
 
 }  // namespace sundog::import

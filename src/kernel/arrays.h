@@ -25,9 +25,18 @@ KERNEL_ARRAY(Fog, fogs, 19)
 KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 KERNEL_ARRAY(Interior, interiors, 21)
 KERNEL_ARRAY(MaterialMaps, material_maps, 22)
+KERNEL_ARRAY(vec3, environment_pixels, 31)
+#ifdef __cplusplus
+KERNEL_ARRAY(EnvironmentCell, environment_cells, 32)
+KERNEL_ARRAY(Bsdf, bsdfs, 34)
+KERNEL_ARRAY(float, bsdf_tables, 35)
+#endif
 
 // Of the Frame: new for every picture.
 #ifndef KERNEL_ARRAYS_SCENE_ONLY
 KERNEL_ARRAY(Light, lights, 14)
 KERNEL_ARRAY(Instance, instances, 15)
+#ifdef __cplusplus
+KERNEL_ARRAY(Emitter, emitters, 33)
+#endif
 #endif

@@ -44,11 +44,13 @@ KERNEL_CONST uint LIGHT_CYLINDER = 3u;  ///< Within a cylinder around Light::axi
 /// Light::flags.
 KERNEL_CONST uint LIGHT_SHADOWS = 1u;
 KERNEL_CONST uint LIGHT_HIGHLIGHTS = 2u;
-KERNEL_CONST uint LIGHT_CIRCULAR = 4u;        ///< An area's grid is bent to a disc.
-KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit point.
-KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
-KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
-KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
+KERNEL_CONST uint LIGHT_CIRCULAR = 4u;      ///< An area's grid is bent to a disc.
+KERNEL_CONST uint LIGHT_ORIENT = 8u;        ///< An area turns to face the lit point.
+KERNEL_CONST uint LIGHT_JITTER = 16u;       ///< An area's lights are moved about within their cells.
+KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;  ///< An area lights from all of its lights, not only from its middle.
+KERNEL_CONST uint LIGHT_ATTENUATED = 256u;  ///< Fog and the atmosphere's media dim it on its way.
+/// Paths meet it, so what bends light stands in its way.
+KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
 
 /// What a light does with photons; see Geometry::photons.
@@ -91,6 +93,16 @@ KERNEL_CONST uint CAMERA_PANORAMIC = 5u;
 KERNEL_CONST uint CAMERA_CYLINDER = 6u;  ///< 6 to 9: types 1 to 4
 KERNEL_CONST uint CAMERA_SPHERICAL = 10u;
 
+/// FrameParams::integrator.
+KERNEL_CONST uint INTEGRATOR_WHITTED = 0u;
+KERNEL_CONST uint INTEGRATOR_PATH = 1u;
+
+/// Emitter::kind.
+KERNEL_CONST uint EMITTER_TRIANGLE = 0u;
+KERNEL_CONST uint EMITTER_SPHERE = 1u;
+KERNEL_CONST uint EMITTER_LIGHT = 2u;
+KERNEL_CONST uint EMITTER_ENVIRONMENT = 3u;
+
 /// Material::flags.
 KERNEL_CONST uint MATERIAL_PHONG = 1u;         ///< Highlight by Phong's mirrored ray; else Blinn's halfway vector.
 KERNEL_CONST uint MATERIAL_FRESNEL = 2u;       ///< Dielectric Fresnel splits reflectance and transmittance.
@@ -101,6 +113,25 @@ KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, 
 
 KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material::patterned says which.
 KERNEL_CONST uint MATERIAL_BACKLIT = 128u;   ///< Light on its back is seen from the front.
+
+/// Bsdf::kind (kernel/bsdf).
+KERNEL_CONST uint BSDF_PRINCIPLED = 0u;
+KERNEL_CONST uint BSDF_OREN_NAYAR = 1u;
+KERNEL_CONST uint BSDF_PHONG = 2u;
+KERNEL_CONST uint BSDF_BLINN_PHONG = 3u;
+KERNEL_CONST uint BSDF_WARD = 4u;
+KERNEL_CONST uint BSDF_COOK_TORRANCE = 5u;
+KERNEL_CONST uint BSDF_BECKMANN = 6u;   ///< A metal of Beckmann's facets,
+KERNEL_CONST uint BSDF_CONDUCTOR = 7u;  ///< and of GGX's.
+KERNEL_CONST uint BSDF_DIELECTRIC = 8u;
+
+/// Where what stands in `bsdf_tables`: a table's rows are roughnesses, its columns cosines
+/// (kernel/bsdf/albedo_tables.h).
+KERNEL_CONST uint BSDF_TABLE_SIDE = 32u;
+KERNEL_CONST uint BSDF_TABLE_GGX = 0u;           ///< Two numbers each.
+KERNEL_CONST uint BSDF_TABLE_GGX_MEANS = 2048u;  ///< A column of two numbers each.
+KERNEL_CONST uint BSDF_TABLE_SHEEN = 2112u;
+KERNEL_CONST uint BSDF_TABLE_FLOATS = 3136u;
 
 /// Layer::flags.
 KERNEL_CONST uint LAYER_FRESNEL = 1u;          ///< Reflection follows Fresnel's equations by the interior's ior.
@@ -231,6 +262,18 @@ KERNEL_CONST uint TEXTURE_SRGB = 1u;
 /// TextureRef::flags: clamp, and the channel of scalar maps in bits 1..3 (0 r, 1 g, 2 b, 3 a, 4 luminance).
 KERNEL_CONST uint TEXTURE_CLAMP = 1u;
 KERNEL_CONST uint TEXTURE_CHANNEL_SHIFT = 1u;
+/// Further bits of TextureRef::flags: how an axis goes on outside of 0..1 where the two differ or turn back, a texel
+/// without its neighbours, TextureRef::shear, and a map whose numbers are 0 below TextureRef::strength, else 1.
+KERNEL_CONST uint TEXTURE_CLAMP_U = 16u;
+KERNEL_CONST uint TEXTURE_CLAMP_V = 32u;
+KERNEL_CONST uint TEXTURE_MIRROR_U = 64u;
+KERNEL_CONST uint TEXTURE_MIRROR_V = 128u;
+KERNEL_CONST uint TEXTURE_NEAREST = 256u;
+KERNEL_CONST uint TEXTURE_TURNED = 512u;
+KERNEL_CONST uint TEXTURE_CUTOFF = 1024u;
+/// What few textures need: bits that texture_lookup() asks for one by one only where some lane has any.
+KERNEL_CONST uint TEXTURE_RARE =
+    TEXTURE_CLAMP_U | TEXTURE_CLAMP_V | TEXTURE_MIRROR_U | TEXTURE_MIRROR_V | TEXTURE_NEAREST;
 
 /// FrameParams::features: what this scene and frame need; the rest costs nothing.
 KERNEL_CONST uint FEATURE_SMOOTH = 1u;    ///< Some triangle has vertex normals.
@@ -255,12 +298,14 @@ KERNEL_CONST uint FEATURE_LIGHT_GROUPS = 65536u;  ///< Some light doesn't reach 
 KERNEL_CONST uint FEATURE_DISPERSION = 131072u;   ///< Some interior disperses light (the CPU device's alone).
 KERNEL_CONST uint FEATURE_EXPONENTS = 262144u;    ///< Some layer has a reflection_exponent (the CPU device's alone).
 
+KERNEL_CONST uint FEATURE_BSDF = 524288u;        ///< Some material has a Bsdf.
 KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
 KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
 KERNEL_CONST uint FEATURE_HOLLOW =
     4194304u;  ///< Media; or fog, and something that isn't hollow: rays keep MediaInsides.
-KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;    ///< Caustics by photons (the CPU device's alone).
-KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;  ///< Some interior brightens shadows (POV-Ray's `caustics`).
+KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;       ///< Caustics by photons (the CPU device's alone).
+KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;     ///< Some interior brightens shadows (POV-Ray's `caustics`).
+KERNEL_CONST uint FEATURE_ENVIRONMENT = 33554432u;  ///< FrameParams::environment is what rays see that miss all else.
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
@@ -336,12 +381,13 @@ struct Instance {
     vec3 object_from_world_x, object_from_world_y, object_from_world_z, object_from_world_t;
 };
 
-/// A use of a texture: uv' = uv*scale + offset.
+/// A use of a texture: uv' = uv*scale + offset, and where TEXTURE_TURNED is set + (v, u)*shear.
 struct TextureRef {
     uint texture;  ///< Into textures, or NONE.
     uint flags;
     vec2 scale;
     vec2 offset;
+    vec2 shear;
     float strength;
 };
 
@@ -367,6 +413,30 @@ struct Material {
     vec2 checker_cells;
     uint maps;       ///< Into `material_maps`.
     uint patterned;  ///< Into `patterned`, if MATERIAL_PATTERNED.
+    /// Mean luminance of what it emits, where paths aim at surfaces that shine; 0: they don't at its.
+    float emission_power;
+    uint bsdf;  ///< Into `bsdfs`, by which paths scatter; NONE: by the above.
+};
+
+/// A reflection model of a material, for paths (kernel/bsdf). Kinds use what they need.
+struct Bsdf {
+    uint kind;  ///< BSDF_*
+    vec3 color;
+    float alpha_x, alpha_y;  ///< As in BsdfPoint.
+    vec3 n, k;               ///< A metal's index of refraction.
+    float ior;
+    // BSDF_PRINCIPLED.
+    float metallic, roughness;
+    float specular;
+    vec3 specular_color;
+    float transmission;
+    uint thin;         ///< 1: a wall without thickness.
+    vec3 attenuation;  ///< Light inside dims by exp(-attenuation * distance).
+    float coat, coat_roughness;
+    vec3 sheen;
+    float sheen_roughness;
+    float film, film_ior, film_least_nm, film_most_nm;
+    float anisotropy, anisotropy_rotation;
 };
 
 /// The textures of a material. Number 0 has none.
@@ -436,6 +506,32 @@ struct Light {
     uint projection;   ///< RAY_* bit of the object that it shines through alone; 0: none.
 };
 
+/// Something that paths aim at for its light, as an entry of an alias table (kernel/lights/emitter.h).
+struct Emitter {
+    uint kind;      ///< EMITTER_*
+    uint index;     ///< Into triangles, spheres or lights.
+    uint geometry;  ///< Of the triangle or sphere.
+    float keep;     ///< Share of the entry's turns that are its own,
+    uint alias;     ///< and whose the others are.
+    float probability;
+};
+
+/// A cell of the environment, as an entry of an alias table.
+struct EnvironmentCell {
+    float keep;
+    uint alias;
+    float density;  ///< Over solid angle, of a direction in it, times the sine of its angle to the axis.
+};
+
+/// What is around the scene, infinitely far away: see kernel/atmosphere/environment.h.
+struct Environment {
+    vec3 up, middle, right;       ///< Unit: the axis, the direction of the picture's middle, and that to its right.
+    uint width, height;           ///< Of the picture, in `environment_pixels`.
+    uint cells_wide, cells_high;  ///< Of the grid by which directions are drawn, in `environment_cells`.
+    float gain;
+    float probability;  ///< With which it is drawn among the emitters.
+};
+
 /// Pinhole: a ray through image point (x, y) in [0,1]^2 (y down) starts at eye, towards
 /// center + right*(2x-1) + up*(1-2y). Other kinds use the same vectors in their own way.
 struct Camera {
@@ -497,6 +593,11 @@ struct FrameParams {
     float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
                           ///< scenes whose numbers are sRGB-encoded.
     uint seed;
+    uint integrator;     ///< INTEGRATOR_*
+    uint emitter_count;  ///< 0: nothing that paths could aim at.
+    float
+        emitted_power;  ///< What emitters' probabilities are shares of: emission_power times area, for those with one.
+    Environment environment;
     uint rainbows;    ///< A list of them in `code`, or NONE.
     uint atmosphere;  ///< Media that are everywhere: a list of them in `code`, or NONE.
     uint

@@ -52,12 +52,11 @@ bool starts_with(Bytes bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
-/// Reads a file and calls decode(its bytes); turns what goes wrong into an InputError with the file's name.
+/// Calls decode(bytes); turns what goes wrong into an InputError with the file's name.
 template <class Decode>
-auto read_and(const fs::path& file, const Decode& decode) {
-    const std::vector<unsigned char> bytes = read_file(file);
+auto decode_of(const fs::path& file, Bytes bytes, const Decode& decode) {
     try {
-        return decode(Bytes(bytes));
+        return decode(bytes);
     } catch (const DecodeError& error) {
         fail_to_read(file, error.what());
     } catch (const std::bad_alloc&) {
@@ -65,8 +64,34 @@ auto read_and(const fs::path& file, const Decode& decode) {
     }
 }
 
+template <class Decode>
+auto read_and(const fs::path& file, const Decode& decode) {
+    const std::vector<unsigned char> bytes = read_file(file);
+    return decode_of(file, bytes, decode);
+}
+
 Decoded read_decoded(const fs::path& file, std::size_t bytes_per_pixel) {
     return read_and(file, [&](Bytes bytes) { return decode(bytes, bytes_per_pixel); });
+}
+
+/// As 8-bit texels.
+Rgba8 rgba8_of(Decoded decoded) {
+    Rgba8 texture{decoded.width, decoded.height, std::move(decoded.rgba8)};
+    if (!texture.pixels.empty()) return texture;
+    texture.pixels.resize(static_cast<std::size_t>(decoded.width) * decoded.height);
+    if (!decoded.rgba16.empty()) {
+        const auto code8 = [&](std::size_t i) { return (decoded.rgba16[i] * 255U + 32767U) / 65535U; };
+        for (std::size_t i = 0; i < texture.pixels.size(); ++i)
+            texture.pixels[i] = code8(4 * i) | code8(4 * i + 1) << 8 | code8(4 * i + 2) << 16 | code8(4 * i + 3) << 24;
+        return texture;
+    }
+    std::array<std::uint8_t, 3> code{};
+    for (std::size_t i = 0; i < texture.pixels.size(); ++i) {
+        encode_srgb8({&decoded.linear[i], 1}, code);
+        texture.pixels[i] = code[0] | static_cast<std::uint32_t>(code[1]) << 8 |
+                            static_cast<std::uint32_t>(code[2]) << 16 | 0xFF000000U;
+    }
+    return texture;
 }
 
 }  // namespace
@@ -177,24 +202,10 @@ Image read_image(const fs::path& file) {
     return image;
 }
 
-Rgba8 read_rgba8(const fs::path& file) {
-    Decoded decoded = read_decoded(file, sizeof(std::uint32_t));
-    Rgba8 texture{decoded.width, decoded.height, std::move(decoded.rgba8)};
-    if (!texture.pixels.empty()) return texture;
-    texture.pixels.resize(static_cast<std::size_t>(decoded.width) * decoded.height);
-    if (!decoded.rgba16.empty()) {
-        const auto code8 = [&](std::size_t i) { return (decoded.rgba16[i] * 255U + 32767U) / 65535U; };
-        for (std::size_t i = 0; i < texture.pixels.size(); ++i)
-            texture.pixels[i] = code8(4 * i) | code8(4 * i + 1) << 8 | code8(4 * i + 2) << 16 | code8(4 * i + 3) << 24;
-        return texture;
-    }
-    std::array<std::uint8_t, 3> code{};
-    for (std::size_t i = 0; i < texture.pixels.size(); ++i) {
-        encode_srgb8({&decoded.linear[i], 1}, code);
-        texture.pixels[i] = code[0] | static_cast<std::uint32_t>(code[1]) << 8 |
-                            static_cast<std::uint32_t>(code[2]) << 16 | 0xFF000000U;
-    }
-    return texture;
+Rgba8 read_rgba8(const fs::path& file) { return rgba8_of(read_decoded(file, sizeof(std::uint32_t))); }
+
+Rgba8 decode_rgba8(std::span<const unsigned char> bytes, const std::string& name) {
+    return rgba8_of(decode_of(name, bytes, [](Bytes b) { return decode(b, sizeof(std::uint32_t)); }));
 }
 
 bool tells_encoding(const fs::path& file) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -82,6 +83,8 @@ struct Rgba8 {
 /// Reads a texture of any format that read_image reads, as stored (not linearised; EXR and HDR are encoded as sRGB).
 /// Errors: as read_image.
 Rgba8 read_rgba8(const std::filesystem::path& file);
+/// The same of a file's bytes, which messages call `name`.
+Rgba8 decode_rgba8(std::span<const unsigned char> bytes, const std::string& name);
 
 /// Whether a PNG file says how its numbers are encoded, in a gAMA or sRGB chunk; false for other files.
 /// Errors: InputError for one that can't be read or is damaged.

@@ -27,7 +27,18 @@ Bounds3 bounds_of(const Object& object) { return std::visit(BoundsOf{}, object.s
 
 Bounds3 bounds_of(const Scene& scene) {
     Bounds3 bounds;
-    for (const Object& object : scene.objects) bounds.include(bounds_of(object));
+    for (const Object& object : scene.objects) {
+        const Bounds3 own = bounds_of(object);
+        if (!object.node_motion || own.empty()) {
+            bounds.include(own);
+            continue;
+        }
+        const Affine3 world_from_object = transform_at(object, 0);
+        for (unsigned corner = 0; corner < 8; ++corner)
+            bounds.include(transform_point(world_from_object, {(corner & 1U) ? own.upper.x : own.lower.x,
+                                                               (corner & 2U) ? own.upper.y : own.lower.y,
+                                                               (corner & 4U) ? own.upper.z : own.lower.z}));
+    }
     return bounds;
 }
 

@@ -10,7 +10,7 @@ namespace sundog::scene {
 /// Bounds of what an object's surface uses, at rest. Empty for planes, which have no end, and for empty meshes.
 Bounds3 bounds_of(const Object& object);
 
-/// Bounds of all finite objects at rest.
+/// Bounds of all finite objects at rest; of those that move with a node, where they are at first.
 Bounds3 bounds_of(const Scene& scene);
 
 }  // namespace sundog::scene

@@ -11,6 +11,7 @@
 #include "base/boxed.h"
 #include "base/diagnostics.h"
 #include "base/vec.h"
+#include "scene/animation.h"
 #include "scene/photons.h"
 #include "scene/pigment.h"
 #include "scene/principled.h"
@@ -86,6 +87,8 @@ struct ProjectionCamera {
     std::shared_ptr<const Normal> normal;            ///< Bends the rays; null: not.
     std::shared_ptr<const MeshCamera> mesh;          ///< Instead of the projection.
     std::shared_ptr<const FunctionCamera> function;  ///< Instead of the projection.
+    bool fits_picture = false;   ///< Perspective: as wide as the picture's pixels ask, not as `right` says.
+    Boxed<NodeMotion> motion{};  ///< Moves it: the vectors are then in the space of a node.
 };
 
 /// A rectangle (or, `circular`, a disc) of lights around a light's place.
@@ -105,7 +108,8 @@ struct Light {
     Vec3 place;           ///< Position. sun: the direction in which its light comes from (towards the sun).
     Vec3 color{1, 1, 1};  ///< Linear RGB radiant intensity (no distance falloff, as in Whitted's and Phong's model).
     bool moving = false;
-    Vec3 speed, amplitude;  ///< Used when moving; speed in radians per second.
+    Vec3 speed, amplitude;       ///< Used when moving; speed in radians per second.
+    Boxed<NodeMotion> motion{};  ///< Moves it instead: place and point_at are then in the space of a node.
     bool shadows = true;
     bool media_attenuation = false;  ///< Fog and the atmosphere's media dim it on its way to what it lights.
     bool media_interaction = true;   ///< Media scatter it.
@@ -207,19 +211,23 @@ struct ObjectMotion {
     Vec3 move_speed, move_amplitude;
 };
 
+struct Deformation;
+
 /// A thing with one bounding box: an OBJ object (mesh), or an analytic shape with one material.
 struct Object {
     std::string name;
     SourceLocation where;
     std::variant<Boxed<Mesh>, Sphere, Plane, Box, std::shared_ptr<const Solid>> shape;
     Index material = 0;               ///< For analytic shapes and solids that inherit; a mesh's triangles name theirs.
-    Boxed<ObjectMotion> motion;       ///< None: it rests.
+    Boxed<ObjectMotion> motion;       ///< With none, and no node_motion: it rests.
     bool casts_shadow = true;         ///< no_shadow
     bool seen_by_camera = true;       ///< no_image
     bool seen_in_reflections = true;  ///< no_reflection
     bool seen_by_radiosity = true;    ///< no_radiosity
     Boxed<ObjectPhotons> photons{};   ///< Few objects have any to do with them.
     std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
+    Boxed<NodeMotion> node_motion{};  ///< Instead of `motion`.
+    std::shared_ptr<const Deformation> deformation{};  ///< Bends the mesh over time: see deformation.h.
 };
 
 /// Settings that a scene file may fix and the command line may overrule.
@@ -322,10 +330,15 @@ struct Scene {
 
 /// Value of a motion at time_s.
 float value_at(const Motion& motion, float time_s);
-/// Place (or direction) of a light at time_s.
-Vec3 place_at(const Light& light, float time_s);
+/// A light where it is at time_s, at rest.
+Light placed_at(const Light& light, float time_s);
+/// A camera where it is at time_s, at rest.
+ProjectionCamera placed_at(const ProjectionCamera& camera, float time_s);
+/// True if an object moves, be it only now and then.
+bool moves(const Object& object);
 /// world_from_object of a moving object at time_s.
 Affine3 transform_at(const ObjectMotion& motion, float time_s);
+Affine3 transform_at(const Object& object, float time_s);
 /// True if anything in the scene depends on time.
 bool is_animated(const Scene& scene);
 

@@ -12,14 +12,21 @@ namespace sundog::scene {
 using Index = std::uint32_t;
 inline constexpr Index kNone = 0xffffffffU;
 
-/// How a material uses a texture (MTL options -s -o -clamp -bm -imfchan and the like, already resolved).
+/// How a material uses a texture: MTL's options -s -o -clamp -bm -imfchan and the like, or glTF's sampler and texture
+/// transform, already resolved. Looked up at (u*scale.x + v*shear.x + offset.x, v*scale.y + u*shear.y + offset.y), v
+/// upwards.
 struct TextureUse {
+    /// What lies outside 0..1: the picture again, its border, or the picture turned back and forth.
+    enum class Wrap : std::uint8_t { repeat, clamp, mirror };
     Index texture = kNone;
     Vec2 scale{1, 1};
+    Vec2 shear{0, 0};  ///< Not 0 where the picture is turned.
     Vec2 offset{0, 0};
-    bool clamp = false;        ///< Outside 0..1: clamp instead of repeat.
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    bool nearest = false;      ///< One texel, not a mean of four.
     float strength = 1;        ///< Bump multiplier.
     std::uint8_t channel = 0;  ///< For scalar maps: 0 r, 1 g, 2 b, 3 alpha (matte), 4 luminance.
+    std::uint8_t uv_set = 0;   ///< Which of a mesh's sets of texture coordinates it is looked up by.
 };
 
 }  // namespace sundog::scene

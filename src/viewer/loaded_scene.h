@@ -18,7 +18,8 @@ struct LoadedScene {
     scene::Scene scene;
     std::shared_ptr<const RenderScene> compiled;
     std::vector<Diagnostic> warnings;
-    bool animated = false;  ///< Something moves, and no `freeze` holds it.
+    bool animated = false;   ///< Something moves, and no `freeze` holds it.
+    bool deforming = false;  ///< Meshes are bent over time, too.
 };
 
 /// What is done to a scene once it was read, such as giving it surroundings. Errors: InputError.
@@ -26,5 +27,8 @@ using SceneChange = std::function<void(scene::Scene&)>;
 
 /// Imports, changes (where there is a change to make) and compiles. Errors: InputError.
 std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change = {});
+
+/// The same scene with its meshes as they are bent at a moment.
+std::shared_ptr<const LoadedScene> bent_at(const LoadedScene& loaded, float time_s);
 
 }  // namespace sundog::viewer

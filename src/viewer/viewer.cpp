@@ -93,10 +93,14 @@ private:
     void update_status();
     void draw();
     [[nodiscard]] int wait_ms() const;
+    /// The scene as it is at a moment.
+    std::shared_ptr<const LoadedScene> scene_at(float time_s);
     [[nodiscard]] bool plays() const { return scene_->animated && playback_.playing(); }
 
     ViewOptions options_;
     std::shared_ptr<const LoadedScene> scene_;
+    std::shared_ptr<const LoadedScene> bent_;  ///< scene_ with its meshes bent, as of bent_time_s_.
+    float bent_time_s_ = 0;
     Window window_;
     ImguiRenderer imgui_;
     InputReader reader_;
@@ -209,6 +213,7 @@ void Viewer::pick_at(Vec2 window_position) {
 
 void Viewer::use_scene(std::shared_ptr<const LoadedScene> scene) {
     scene_ = std::move(scene);
+    bent_.reset();
     camera_.set_bounds(scene_->compiled->bounds);
     if (scene_->scene.projection_camera) camera_.set_up(to_float(scene_->scene.projection_camera->sky));
     else camera_.set_up({0, 0, 1});
@@ -218,6 +223,15 @@ void Viewer::use_scene(std::shared_ptr<const LoadedScene> scene) {
     draws_due_ = 3;
 }
 
+std::shared_ptr<const LoadedScene> Viewer::scene_at(float time_s) {
+    if (!scene_->deforming) return scene_;
+    if (!bent_ || bent_time_s_ != time_s) {
+        bent_ = bent_at(*scene_, time_s);
+        bent_time_s_ = time_s;
+    }
+    return bent_;
+}
+
 void Viewer::submit() {
     const double now_s = seconds_now();
     if (now_s < next_submit_s_) return;
@@ -225,18 +239,19 @@ void Viewer::submit() {
 
     const PixelSize size = window_.size_px();
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
-    ViewRequest request{scene_, controls_.device, {}, controls_.exposure, controls_.show_rays};
+    const float time_s = scene_->scene.settings.freeze_s.value_or(playback_.time_s());
+    ViewRequest request{scene_at(time_s), controls_.device, {}, controls_.exposure, controls_.show_rays};
     FrameOptions& frame = request.options;
     frame.width = size.width;
     frame.height = size.height;
-    frame.time_s = scene_->scene.settings.freeze_s.value_or(playback_.time_s());
+    frame.time_s = time_s;
     frame.max_depth = controls_.max_depth;
     frame.min_weight = options_.min_weight;
     frame.shadows = controls_.shadows;
     frame.radiosity = false;  // Gathering it takes far longer than a frame may.
     if (const auto& own = scene_->scene.projection_camera) {
         using Kind = scene::ProjectionCamera::Kind;
-        camera_.follow(camera_at(*own, aspect), own->kind == Kind::orthographic);
+        camera_.follow(camera_at(scene::placed_at(*own, frame.time_s), aspect), own->kind == Kind::orthographic);
         // Until the user takes over, other kinds than a pinhole are the scene's business.
         if (camera_.is_free() || own->kind == Kind::perspective) frame.camera = camera_.camera(aspect);
     } else {

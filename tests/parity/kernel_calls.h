@@ -182,7 +182,9 @@ FN Varying call_pattern(SCENE uint function, Varying a) {
     }
     if (function == CALL_TEXTURE) {
         word texture = select(a.v[2] > real(4.0f), word(1u), word(0u));
-        word flags = word_from_real(a.v[3] * 2.0f);
+        // Once more in the bits of wrapping. Not TEXTURE_NEAREST: a last bit would choose another texel.
+        word flags = word_from_real(a.v[3] * 2.0f) & word(15u);
+        flags = flags * word(17u);
         real alpha;
         real3 color = texture_lookup(SCENE_ texture, flags, uv, alpha);
         put(r, 0u, color);

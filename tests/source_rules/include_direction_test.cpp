@@ -29,6 +29,7 @@ const std::vector<Rule>& rules() {
         {"src/output", {"output", "base"}},
         {"src/denoise", {"denoise", "base"}},
         {"src/import", {"import", "scene", "base", "output"}},
+        {"src/import/gltf", {"import/gltf", "scene", "base", "output"}},
         {"src/import/obj", {"import/obj", "scene", "base", "output"}},
         {"src/import/pov", {"import/pov", "import/obj/obj_import.h", "scene", "base", "output", "fields", "solids"}},
         {"src/import/orbit", {"import/orbit", "import/obj/obj_import.h", "scene", "base", "output"}},

@@ -68,6 +68,10 @@ public:
         plain_kernel_ = lanes_ == 16  ? cpu::render_plain_tile_16
                         : lanes_ == 8 ? cpu::render_plain_tile_8
                                       : cpu::render_plain_tile_4;
+        path_kernel_ = lanes_ == 16 ? cpu::path_tile_16 : lanes_ == 8 ? cpu::path_tile_8 : cpu::path_tile_4;
+        plain_path_kernel_ = lanes_ == 16  ? cpu::plain_path_tile_16
+                             : lanes_ == 8 ? cpu::plain_path_tile_8
+                                           : cpu::plain_path_tile_4;
         points_ = lanes_ == 16 ? cpu::trace_points_16 : lanes_ == 8 ? cpu::trace_points_8 : cpu::trace_points_4;
         plain_points_ = lanes_ == 16  ? cpu::trace_plain_points_16
                         : lanes_ == 8 ? cpu::trace_plain_points_8
@@ -126,7 +130,8 @@ public:
     }
 
     [[nodiscard]] bool can_refine(const Frame& frame) const override {
-        return frame.camera_rays == nullptr && frame.camera_normal == kernel::NONE;
+        return frame.camera_rays == nullptr && frame.camera_normal == kernel::NONE &&
+               frame.params.integrator == kernel::INTEGRATOR_WHITTED;
     }
 
     RenderStats refine(const Frame& frame, const RefinedWork& work, Film& film, const StopFlag& stop) override {
@@ -377,6 +382,7 @@ private:
 
     /// Null where the frame's eye rays are traced.
     const cpu::raster::FrameRaster* prepare_raster(const Frame& frame) {
+        if (frame.params.integrator != kernel::INTEGRATOR_WHITTED) return nullptr;
         if (primary_ == PrimaryHits::trace || !embree_ || !cpu::raster::FrameRaster::can(frame)) return nullptr;
         if (!raster_)
             raster_ = std::make_unique<cpu::raster::FrameRaster>(*scene_, cpu::raster::raster_kernels(lanes_));
@@ -388,7 +394,8 @@ private:
     /// Sets light_cells_: null where all shadow rays are traced.
     void prepare_light_buffers(const Frame& frame, bool many_pixels) {
         light_cells_ = nullptr;
-        if (!uses_light_buffers_ || !embree_ || !many_pixels) return;
+        if (!uses_light_buffers_ || !embree_ || !many_pixels || frame.params.integrator != kernel::INTEGRATOR_WHITTED)
+            return;
         if (!light_buffers_)
             light_buffers_ = std::make_unique<cpu::raster::LightBuffers>(*scene_, cpu::raster::cell_kernel(lanes_));
         if (!light_buffers_->pays(frame)) return;
@@ -413,10 +420,13 @@ private:
     void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film, Totals& totals,
                     const cpu::RasterisedTile* rasterised = nullptr) const {
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
-        const cpu::TileRays done = (plain ? plain_kernel_ : kernel_)(
-            {*scene_, frame, traversal().handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
-             radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr,
-             light_cells_, rasterised});
+        const bool paths = frame.params.integrator == kernel::INTEGRATOR_PATH;
+        const cpu::TileKernel run =
+            paths ? (plain ? plain_path_kernel_ : path_kernel_) : (plain ? plain_kernel_ : kernel_);
+        const cpu::TileRays done =
+            run({*scene_, frame, traversal().handle(), tile, work.first_sample, work.sample_count, film, work.wanted,
+                 radiosity_ ? &radiosity_->radiosity->light() : nullptr, photons_ ? photons_->photons.get() : nullptr,
+                 light_cells_, rasterised});
         totals.rays += done.rays;
         totals.shadow_rays += done.shadow_rays;
     }
@@ -443,6 +453,8 @@ private:
     DeviceInfo info_;
     cpu::TileKernel kernel_ = nullptr;
     cpu::TileKernel plain_kernel_ = nullptr;
+    cpu::TileKernel path_kernel_ = nullptr;
+    cpu::TileKernel plain_path_kernel_ = nullptr;
     cpu::PointKernel points_ = nullptr, plain_points_ = nullptr;
     cpu::LookKernel looks_ = nullptr;
     cpu::RayKernel rays_ = nullptr;

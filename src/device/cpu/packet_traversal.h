@@ -57,6 +57,15 @@ struct PointView : SceneView {
 };
 #endif
 
+/// Whether a packet's rays are to be taken for coherent: paths' rays go apart at their first surface.
+FN bool packed([[maybe_unused]] bool whitted, [[maybe_unused]] bool path) {
+#ifdef SUNDOG_KERNEL_PATHS
+    return path;
+#else
+    return whitted;
+#endif
+}
+
 inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together, const EyeHits* given = nullptr) {
 #ifdef SUNDOG_KERNEL_RECORDS
     if (const Hit* known = std::exchange(static_cast<const PointView&>(scene).next_hit, nullptr)) return *known;
@@ -73,7 +82,7 @@ inline Hit trace_closest(SCENE Ray ray, mask alive, word ray_kind, bool together
     }
     // As one packet even off mirrors: neighbours' rays mostly stay together, and that is a tenth to a quarter faster on
     // the gallery. But not where things move: see trace_any.
-    embree::Query query(together || !FEATURE(FEATURE_INSTANCES));
+    embree::Query query(packed(together || !FEATURE(FEATURE_INSTANCES), together));
     // Embree looks into a packet of which nothing is asked all the same.
     if (given == nullptr || any_lane(mask_and(alive, triangle == word(EYE_UNKNOWN))))
         embree::closest_hit(reinterpret_cast<const int*>(&valid),
@@ -106,7 +115,7 @@ inline mask trace_any(SCENE Ray ray, mask alive, word ray_kind) {
     alignas(64) const vint valid = lane_ints(alive);
     // Not as coherent where things move: Embree 3.13 never returns from rtcOccluded16 on coherent rays that meet an
     // instance of shapes with callbacks.
-    embree::Query query(!FEATURE(FEATURE_INSTANCES));
+    embree::Query query(packed(!FEATURE(FEATURE_INSTANCES), false));
     embree::any_hit(reinterpret_cast<const int*>(&valid), static_cast<RTCScene>(const_cast<void*>(scene.traversal)),
                     query, packet);
     mask blocked = mask_and(alive, real(lanes_of(packet.tfar)) < real(0.0f));

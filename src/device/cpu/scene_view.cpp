@@ -13,6 +13,7 @@ kernel::SceneView view_of(const RenderScene& scene, const Frame& frame, const vo
 #undef KERNEL_ARRAYS_SCENE_ONLY
     view.lights = frame.lights.data();
     view.instances = frame.instances.data();
+    view.emitters = frame.emitters.data();
     view.traversal = traversal;
     view.host_fields = scene.host_fields.get();
     return view;

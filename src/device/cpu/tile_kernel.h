@@ -54,4 +54,12 @@ TileRays render_plain_tile_4(const TileWork& work);
 TileRays render_plain_tile_8(const TileWork& work);
 TileRays render_plain_tile_16(const TileWork& work);
 
+// Likewise, by paths.
+TileRays path_tile_4(const TileWork& work);
+TileRays path_tile_8(const TileWork& work);
+TileRays path_tile_16(const TileWork& work);
+TileRays plain_path_tile_4(const TileWork& work);
+TileRays plain_path_tile_8(const TileWork& work);
+TileRays plain_path_tile_16(const TileWork& work);
+
 }  // namespace sundog::cpu

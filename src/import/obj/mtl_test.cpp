@@ -86,7 +86,7 @@ TEST_F(Mtl, ReadsTexturesWithOptions) {
     const scene::Material& m = scene.materials.at(0);
     EXPECT_EQ(m.mtl->map_diffuse.scale, (Vec2{2, 3}));
     EXPECT_EQ(m.mtl->map_diffuse.offset, (Vec2{0.5F, 0}));
-    EXPECT_TRUE(m.mtl->map_diffuse.clamp);
+    EXPECT_EQ(m.mtl->map_diffuse.wrap_u, scene::TextureUse::Wrap::clamp);
     EXPECT_EQ(m.mtl->map_bump.strength, 0.5F);
     EXPECT_EQ(m.mtl->map_bump.channel, 1);
     EXPECT_EQ(scene.materials.at(1).mtl->map_opacity.channel, 4);

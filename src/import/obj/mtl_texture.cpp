@@ -80,7 +80,8 @@ bool option(LineCursor& cursor, scene::TextureUse& use, const KeyedWarningSink& 
     } else if (word == "-bm") {
         use.strength = cursor.number("-bm and a factor");
     } else if (word == "-clamp") {
-        use.clamp = on_or_off(cursor, word);
+        use.wrap_u = use.wrap_v =
+            on_or_off(cursor, word) ? scene::TextureUse::Wrap::clamp : scene::TextureUse::Wrap::repeat;
     } else if (word == "-imfchan") {
         use.channel = channel(cursor);
     } else if (word == "-blendu" || word == "-blendv") {

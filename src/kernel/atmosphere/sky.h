@@ -2,6 +2,7 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_SKY_H
 #define SUNDOG_KERNEL_ATMOSPHERE_SKY_H
 
+#include "kernel/atmosphere/environment.h"
 #include "kernel/patterns/program.h"
 
 KERNEL_BEGIN
@@ -19,6 +20,13 @@ FN real3 sky_radiance(SCENE real3 direction) {
         sky = c.rgb * real3(layer.emission) * opacity + sky * passes;
     }
     return sky;
+}
+
+/// What rays see that miss everything.
+FN real3 background_radiance(SCENE real3 direction) {
+    if (FEATURE(FEATURE_ENVIRONMENT)) return environment_radiance(SCENE_ direction);
+    if (FEATURE(FEATURE_ATMOSPHERE)) return sky_radiance(SCENE_ direction);
+    return real3(FRAME.sky);
 }
 
 KERNEL_END

@@ -5,8 +5,8 @@
 #ifndef SUNDOG_KERNEL_CAMERAS_PIXEL_SAMPLES_H
 #define SUNDOG_KERNEL_CAMERAS_PIXEL_SAMPLES_H
 
-#include "kernel/hash.h"
 #include "kernel/math.h"
+#include "kernel/sequences.h"
 
 KERNEL_BEGIN
 
@@ -22,32 +22,6 @@ FN vec2 r2_sample(uint index) {
     uint x = 0x80000000u + index * 0xc13fa9a9u;
     uint y = 0x80000000u + index * 0x91e10da5u;
     return vec2(float(x >> 8u) * 5.9604645e-8f, float(y >> 8u) * 5.9604645e-8f);
-}
-
-/// The upper 24 bits of a word as a number in [0, 1).
-FN real unit_from_word(word bits) { return real_from_word(bits >> 8u) * 5.9604645e-8f; }
-
-/// The second coordinate of Sobol's sequence (1967), as 32 bits after the binary point; the first is `index` with its
-/// bits in reverse order.
-FN uint sobol_second(uint index) {
-    uint bits = 0u;
-    uint direction = 0x80000000u;
-    for (uint rest = index; rest != 0u; rest = rest >> 1u) {
-        if ((rest & 1u) != 0u) bits = bits ^ direction;
-        direction = direction ^ (direction >> 1u);
-    }
-    return bits;
-}
-
-/// Owen's scrambling of a coordinate whose bits are given in reverse order (Burley, Practical Hash-based Owen
-/// Scrambling, JCGT 2020, section 4): whether a bit flips depends on the seed and on all bits of more worth.
-FN word owen_scrambled(word reversed_bits, word seed) {
-    word x = reversed_bits + seed;
-    x = x ^ (x * word(0x6c50b47cu));
-    x = x ^ (x * word(0xb82f1e52u));
-    x = x ^ (x * word(0xc7afe638u));
-    x = x ^ (x * word(0x8d22f6e6u));
-    return reversed(x);
 }
 
 /// How much of |filter| lies between its middle and x of its radius, as a share of all on one side; x in [0, 1].
@@ -107,6 +81,22 @@ FN real filter_place(uint pixel_filter, real u) {
     return select(signed_share < real(0.0f), -place, place);
 }
 
+/// A place in the pixel's square as one that is spread as the filter says.
+FN PixelSample filtered_sample(PixelSampling sampling, PixelSample result) {
+    if (sampling.pixel_filter == FILTER_PIXEL) return result;
+    real across = filter_place(sampling.pixel_filter, result.x);
+    real down = filter_place(sampling.pixel_filter, result.y);
+    result.x = 0.5f + across * sampling.radius;
+    result.y = 0.5f + down * sampling.radius;
+    if (sampling.pixel_filter == FILTER_MITCHELL) {
+        // The filter's sign, times the integral of its absolute value.
+        real wx = select(abs(across) > real(0.57142857f), real(-1.06997085f), real(1.06997085f));
+        real wy = select(abs(down) > real(0.57142857f), real(-1.06997085f), real(1.06997085f));
+        result.weight = wx * wy;
+    }
+    return result;
+}
+
 /// Sample `index` of pixel (x, y).
 FN PixelSample pixel_sample(PixelSampling sampling, word x, word y, uint index) {
     PixelSample result;
@@ -133,21 +123,10 @@ FN PixelSample pixel_sample(PixelSampling sampling, word x, word y, uint index) 
             uint number = index % block_size;
             word seed = hash_word(pixel + word(index / block_size));
             result.x = unit_from_word(owen_scrambled(word(number), seed));
-            result.y = unit_from_word(owen_scrambled(reversed(word(sobol_second(number))), hash_word(seed)));
+            result.y = unit_from_word(owen_scrambled(sobol_second_reversed(word(number)), hash_word(seed)));
         }
     }
-    if (sampling.pixel_filter == FILTER_PIXEL) return result;
-    real across = filter_place(sampling.pixel_filter, result.x);
-    real down = filter_place(sampling.pixel_filter, result.y);
-    result.x = 0.5f + across * sampling.radius;
-    result.y = 0.5f + down * sampling.radius;
-    if (sampling.pixel_filter == FILTER_MITCHELL) {
-        // The filter's sign, times the integral of its absolute value.
-        real wx = select(abs(across) > real(0.57142857f), real(-1.06997085f), real(1.06997085f));
-        real wy = select(abs(down) > real(0.57142857f), real(-1.06997085f), real(1.06997085f));
-        result.weight = wx * wy;
-    }
-    return result;
+    return filtered_sample(sampling, result);
 }
 
 KERNEL_END

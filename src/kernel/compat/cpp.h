@@ -2,9 +2,9 @@
 // The C++ side of compat.h. SUNDOG_KERNEL_LANES (1, 4, 8, 16; default 1) is fixed per translation unit, and so is
 // SUNDOG_KERNEL_FEATURES, the FEATURE_* bits that the unit is compiled for (default: all; what is left out costs
 // nothing there), SUNDOG_KERNEL_RECORDS, set where paths remember what they met (RECORDING; see
-// integrators/record.h), and SUNDOG_KERNEL_SHORTCUTS, set where hits and shadows may be known before they are traced.
-// Everything that depends on them lives in an inline namespace of its own, so units of different kinds can be linked
-// together.
+// integrators/record.h), SUNDOG_KERNEL_PATHS, set for path tracing, and SUNDOG_KERNEL_SHORTCUTS, set where hits and
+// shadows may be known before they are traced. Everything that depends on them lives in an inline namespace of its own,
+// so units of different kinds can be linked together.
 #ifndef SUNDOG_KERNEL_COMPAT_CPP_H
 #define SUNDOG_KERNEL_COMPAT_CPP_H
 
@@ -24,7 +24,11 @@
 #define SUNDOG_KERNEL_PURPOSE recording_
 #define RECORDING true
 #else
+#ifdef SUNDOG_KERNEL_PATHS
+#define SUNDOG_KERNEL_PURPOSE paths_
+#else
 #define SUNDOG_KERNEL_PURPOSE
+#endif
 #define RECORDING false
 #endif
 #ifdef SUNDOG_KERNEL_FEATURES

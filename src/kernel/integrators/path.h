@@ -45,6 +45,17 @@ struct FirstHit {
     word geometry, primitive, material;
 };
 
+/// A colour in the scene's numbers as linear light.
+FN real3 linear_light(SCENE real3 color) {
+    if (FRAME.working_gamma == 1.0f) return color;
+    color = max(color, real3(real(0.0f)));
+    if (FRAME.working_gamma > 0.0f) {
+        real gamma = real(FRAME.working_gamma);
+        return real3(power(color.x, gamma), power(color.y, gamma), power(color.z, gamma));
+    }
+    return real3(srgb_decoded(color.x), srgb_decoded(color.y), srgb_decoded(color.z));
+}
+
 /// The ray off a mirror at a surface.
 FN Ray mirrored_ray(Surface s, real3 incoming) {
     Ray ray;

@@ -15,18 +15,13 @@
 #ifndef SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 #define SUNDOG_KERNEL_INTEGRATORS_WHITTED_H
 
-#include "kernel/atmosphere/fog.h"
-#include "kernel/atmosphere/rainbow.h"
 #include "kernel/atmosphere/sky.h"
+#include "kernel/integrators/air.h"
 #include "kernel/integrators/path.h"
 #include "kernel/integrators/record.h"
+#include "kernel/integrators/surface_met.h"
 #include "kernel/lights/direct.h"
-#include "kernel/materials/bump.h"
-#include "kernel/materials/interior.h"
-#include "kernel/materials/layers.h"
-#include "kernel/materials/material.h"
 #ifdef __cplusplus
-#include "kernel/integrators/media.h"
 #include "kernel/integrators/nested.h"
 #include "kernel/lights/indirect.h"
 #include "kernel/lights/photon_light.h"
@@ -67,60 +62,25 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #endif
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
-#ifdef __cplusplus
-        if (FEATURE(FEATURE_MEDIA)) {
-            radiance = radiance + media_radiance(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.media,
-                                                 path.alive, path.weight, counts);
-        }
-#endif
-        if (FEATURE(FEATURE_ATMOSPHERE)) {
-            mask in_air = path.alive;
-            if (FEATURE(FEATURE_HOLLOW)) in_air = mask_and(in_air, mask_not(in_solid(path.media)));
-            real reach = select(found, hit.t, real(3.0e38f));
-            if (FRAME.fog_count > 0u) {
-                real3 dimmed = path.weight;
-                real3 glow = fog_radiance(SCENE_ path.ray, reach, dimmed);
-                radiance = radiance + select(in_air, glow, black);
-                path.weight = select(in_air, dimmed, path.weight);
-            }
-            if (FRAME.rainbows != NONE) {
-                real3 dimmed = path.weight;
-                real3 glow = rainbow_radiance(SCENE_ FRAME.rainbows, path.ray, reach, dimmed);
-                radiance = radiance + select(in_air, glow, black);
-                path.weight = select(in_air, dimmed, path.weight);
-            }
-            if (any_lane(missed)) {
-                radiance = radiance + select(missed, path.weight * sky_radiance(SCENE_ path.ray.direction), black);
-            }
-        } else {
-            radiance = radiance + select(missed, path.weight * real3(FRAME.sky), black);
-        }
+        cross_air(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.media, path.alive, path.weight, radiance,
+                  counts);
+        if (any_lane(missed))
+            radiance = radiance + select(missed, path.weight * background_radiance(SCENE_ path.ray.direction), black);
         if (RECORDING) record_miss(SCENE_ missed, record);
         mask follow = mask_and(found, mask_not(found));
         if (any_lane(found)) {
-            Surface s = surface_at(SCENE_ path.ray, hit, found);
-            if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
-            Lobes lobes = evaluate_material(SCENE_ s, path.ray.direction);
+            real spectrum = real(0.5f);
+#ifdef __cplusplus
+            if (FEATURE(FEATURE_DISPERSION)) spectrum = select(path.spectrum < real(0.0f), spectrum, path.spectrum);
+#endif
+            Surface s;
+            Lobes lobes;
             LayerColors layered;
             Crossing crossing;
-            real3 smooth_normal = s.normal;
-            if (FEATURE(FEATURE_PATTERNED)) {
-                word interior = interior_of(SCENE_ s, lobes.patterned);
-                crossing = crossing_at(interior, path.insides);
-                if (FEATURE(FEATURE_TRANSPARENT)) {
-                    real3 dimmed = inside_transmittance(SCENE_ path.insides, hit.t);
-                    path.weight = path.weight * select(found, dimmed, real3(real(1.0f)));
-                }
-                real spectrum = real(0.5f);
-#ifdef __cplusplus
-                if (FEATURE(FEATURE_DISPERSION)) spectrum = select(path.spectrum < real(0.0f), spectrum, path.spectrum);
-#endif
-                real eta = crossing_eta(SCENE_ crossing, interior, path.insides, spectrum);
-                lobes.eta = select(lobes.patterned, eta, lobes.eta);
-                evaluate_layers(SCENE_ s, path.ray.direction, found, is_enclosed(crossing), false, lobes, layered);
-                // Which way light is mirrored and refracted.
-                if (FEATURE(FEATURE_NORMALS)) s.normal = layered.mirror;
-            }
+            real3 smooth_normal;
+            real3 dimmed = surface_met(SCENE_ path.ray, hit, path.insides, spectrum, found, s, lobes, layered, crossing,
+                                       smooth_normal);
+            path.weight = path.weight * dimmed;
             real3 base;
             real3 highlight;
             LightStates states;
@@ -269,17 +229,6 @@ inline real3 nested_radiance(SCENE PathState path, INOUT(RayCounts) counts) {
     return path_radiance(SCENE_ path, counts, unused, forgotten);
 }
 #endif
-
-/// A colour in the scene's numbers as linear light.
-FN real3 linear_light(SCENE real3 color) {
-    if (FRAME.working_gamma == 1.0f) return color;
-    color = max(color, real3(real(0.0f)));
-    if (FRAME.working_gamma > 0.0f) {
-        real gamma = real(FRAME.working_gamma);
-        return real3(power(color.x, gamma), power(color.y, gamma), power(color.z, gamma));
-    }
-    return real3(srgb_decoded(color.x), srgb_decoded(color.y), srgb_decoded(color.z));
-}
 
 #ifdef __cplusplus
 /// The colour of the texture that `ray` meets first, and that surface's number (PathRecord::surface; 0: it has none).

@@ -68,10 +68,12 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         Surface s = surface_at(SCENE_ ray, hit, alive);
         Lobes lobes = evaluate_material(SCENE_ s, ray.direction);
         real3 passes = lobes.transmittance;
+        mask bends = abs(lobes.eta - 1.0f) > real(0.0f);
         if (FEATURE(FEATURE_PATTERNED)) {
             LayerColors layered;
             evaluate_layers(SCENE_ s, ray.direction, alive, mask(false), true, lobes, layered);
             word interior = interior_of(SCENE_ s, lobes.patterned);
+            bends = select_mask(lobes.patterned, abs(FIELD(interiors, interior, ior) - 1.0f) > real(0.0f), bends);
             passes =
                 lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);
             if (FEATURE(FEATURE_CAUSTICS)) {
@@ -81,6 +83,7 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
                 passes = passes * select(exponent > real(0.0f), 1.0f + power(cosine, exponent), real(1.0f));
             }
         }
+        if ((light_flags & LIGHT_MET_BY_PATHS) != 0u) passes = select(bends, real3(real(0.0f)), passes);
 #ifdef __cplusplus
         if (FEATURE(FEATURE_MEDIA))
             passes = passes * media_transmittance(SCENE_ ray, hit.t, insides, attenuated, alive);

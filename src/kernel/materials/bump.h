@@ -63,6 +63,8 @@ FN real3 bumped_normal(SCENE Surface s) {
         word flags = FIELD(material_maps, maps, bump.flags);
         real2 scale = FIELD(material_maps, maps, bump.scale);
         real2 uv = s.uv * scale + FIELD(material_maps, maps, bump.offset);
+        if (any_lane((flags & word(TEXTURE_TURNED)) != word(0u)))
+            uv = turned_uv(flags, uv, s.uv, FIELD(material_maps, maps, bump.shear));
         real strength = FIELD(material_maps, maps, bump.strength);
         // Differences over one texel. Heights are in units of the texture's width on the surface, so that a map keeps
         // its slope when the model is scaled.
@@ -84,6 +86,8 @@ FN real3 bumped_normal(SCENE Surface s) {
         word flags = FIELD(material_maps, maps, normal.flags);
         real2 scale = FIELD(material_maps, maps, normal.scale);
         real2 uv = s.uv * scale + FIELD(material_maps, maps, normal.offset);
+        if (any_lane((flags & word(TEXTURE_TURNED)) != word(0u)))
+            uv = turned_uv(flags, uv, s.uv, FIELD(material_maps, maps, normal.shear));
         real alpha;
         real3 stored = texture_lookup(SCENE_ texture, flags, uv, alpha);
         real strength = FIELD(material_maps, maps, normal.strength);

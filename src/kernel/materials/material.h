@@ -27,6 +27,23 @@ struct Lobes {
                      ///< through.
 };
 
+/// What a material emits, at a place of its texture.
+FN real3 emission_at(SCENE word material, real2 uv) {
+    real3 emission = FIELD(materials, material, emission);
+    if (!FEATURE(FEATURE_TEXTURES)) return emission;
+    word maps = FIELD(materials, material, maps);
+    word texture = FIELD(material_maps, maps, emission.texture);
+    mask used = texture != word(NONE);
+    if (!any_lane(used)) return emission;
+    word ref_flags = FIELD(material_maps, maps, emission.flags);
+    real2 place = uv * FIELD(material_maps, maps, emission.scale) + FIELD(material_maps, maps, emission.offset);
+    if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
+        place = turned_uv(ref_flags, place, uv, FIELD(material_maps, maps, emission.shear));
+    real alpha;
+    real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, place, alpha);
+    return select(used, emission * color, emission);
+}
+
 /// Textures' part of evaluate_material.
 FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     mask checker = (flags & word(MATERIAL_CHECKER)) != word(0u);
@@ -41,9 +58,11 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     word texture = FIELD(material_maps, maps, diffuse.texture);
     mask used = texture != word(NONE);
     if (any_lane(used)) {
-        real3 color = texture_lookup(
-            SCENE_ valid_index(used, texture), FIELD(material_maps, maps, diffuse.flags),
-            s.uv * FIELD(material_maps, maps, diffuse.scale) + FIELD(material_maps, maps, diffuse.offset), alpha);
+        word ref_flags = FIELD(material_maps, maps, diffuse.flags);
+        real2 uv = s.uv * FIELD(material_maps, maps, diffuse.scale) + FIELD(material_maps, maps, diffuse.offset);
+        if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
+            uv = turned_uv(ref_flags, uv, s.uv, FIELD(material_maps, maps, diffuse.shear));
+        real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
         color = select(used, color, real3(real(1.0f)));
         lobes.diffuse = lobes.diffuse * color;
         lobes.ambient = lobes.ambient * color;
@@ -51,29 +70,31 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     texture = FIELD(material_maps, maps, specular.texture);
     used = texture != word(NONE);
     if (any_lane(used)) {
-        real3 color = texture_lookup(
-            SCENE_ valid_index(used, texture), FIELD(material_maps, maps, specular.flags),
-            s.uv * FIELD(material_maps, maps, specular.scale) + FIELD(material_maps, maps, specular.offset), alpha);
+        word ref_flags = FIELD(material_maps, maps, specular.flags);
+        real2 uv = s.uv * FIELD(material_maps, maps, specular.scale) + FIELD(material_maps, maps, specular.offset);
+        if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
+            uv = turned_uv(ref_flags, uv, s.uv, FIELD(material_maps, maps, specular.shear));
+        real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
         color = select(used, color, real3(real(1.0f)));
         lobes.specular = lobes.specular * color;
         lobes.reflectance = lobes.reflectance * color;
     }
-    texture = FIELD(material_maps, maps, emission.texture);
-    used = texture != word(NONE);
-    if (any_lane(used)) {
-        real3 color = texture_lookup(
-            SCENE_ valid_index(used, texture), FIELD(material_maps, maps, emission.flags),
-            s.uv * FIELD(material_maps, maps, emission.scale) + FIELD(material_maps, maps, emission.offset), alpha);
-        lobes.emission = select(used, lobes.emission * color, lobes.emission);
-    }
+    lobes.emission = emission_at(SCENE_ s.material, s.uv);
     texture = FIELD(material_maps, maps, opacity.texture);
     used = texture != word(NONE);
     if (any_lane(used)) {
         word ref_flags = FIELD(material_maps, maps, opacity.flags);
-        real3 color = texture_lookup(
-            SCENE_ valid_index(used, texture), ref_flags,
-            s.uv * FIELD(material_maps, maps, opacity.scale) + FIELD(material_maps, maps, opacity.offset), alpha);
-        real opacity = select(used, texture_channel(color, alpha, ref_flags), real(1.0f));
+        real2 uv = s.uv * FIELD(material_maps, maps, opacity.scale) + FIELD(material_maps, maps, opacity.offset);
+        if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
+            uv = turned_uv(ref_flags, uv, s.uv, FIELD(material_maps, maps, opacity.shear));
+        real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
+        real opacity = texture_channel(color, alpha, ref_flags);
+        mask cut_off = (ref_flags & word(TEXTURE_CUTOFF)) != word(0u);
+        if (any_lane(cut_off)) {
+            mask there = opacity >= FIELD(material_maps, maps, opacity.strength);
+            opacity = select(cut_off, select(there, real(1.0f), real(0.0f)), opacity);
+        }
+        opacity = select(used, opacity, real(1.0f));
         // What the map takes away lets light pass straight through.
         lobes.transmittance = real3(real(1.0f)) - (real3(real(1.0f)) - lobes.transmittance) * opacity;
         lobes.reflectance = lobes.reflectance * opacity;

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled twice per width (SUNDOG_KERNEL_LANES), for all scenes and for plain ones (SUNDOG_KERNEL_FEATURES), under the
+// name SUNDOG_PATH_KERNEL: paths of a block of pixels over Embree.
+#include "device/cpu/packet_traversal.h"
+#include "device/cpu/tile_kernel.h"
+// After the traversal, which this asks.
+#include "kernel/integrators/path_tracing.h"
+
+#include "device/cpu/block.h"
+
+KERNEL_BEGIN
+
+/// Of samples whose numbers differ in bits above these, paths of a pixel are scrambled anew.
+inline uint block_bits(const PixelSampling& sampling) {
+    return sampling.pattern == SAMPLES_SOBOL && sampling.cells > 1U && std::has_single_bit(sampling.cells)
+               ? static_cast<uint>(std::countr_zero(sampling.cells))
+               : 32U;
+}
+
+/// A block's paths. Each lane traces its pixel's, one after the other, and begins the next where one has ended: so
+/// lanes are busy until the last paths, whatever the lengths.
+inline BlockResult trace_paths(const SceneView& view, int x0, int y0, mask in_image, const TileWork& work) {
+    const BlockPixels pixels(x0, y0);
+    BlockResult block;
+    if (work.first_sample > 0) add_sums_so_far(x0, y0, work, block);
+    block.first = nothing_met();
+    const CameraRays* const camera = work.frame.camera_rays.get();
+    const word pixel = hash_word(hash_word(word(std::bit_cast<vuint>(pixels.x))) +
+                                 word(std::bit_cast<vuint>(pixels.y)) + word(view.frame.seed));
+    const uint bits = block_bits(view.frame.sampling);
+    const word end(work.first_sample + work.sample_count);
+    word next(work.first_sample);
+    real3 radiance(real(0.0F));
+    PixelSample at{real(0.0F), real(0.0F), real(0.0F)};
+    TracedPath path = begun_path(view, Ray{}, PathSample{pixel, next}, mask(false));
+    bool together = true;
+    FirstHit unseen = nothing_met();
+    while (true) {
+        const mask begins = mask_and(in_image, mask_and(mask_not(path.alive), next < end));
+        if (any_lane(begins)) {
+            PathSample sample{pixel, next};
+            if (bits < 32U) {
+                sample.pixel = hash_word(pixel + (next >> bits));
+                sample.index = next & word((1U << bits) - 1U);
+            }
+            const real2 place = sample_pair(sample, word(0U));
+            PixelSample here{place.x, place.y, real(1.0F)};
+            here = filtered_sample(view.frame.sampling, here);
+            const real x = (real(__builtin_convertvector(pixels.x, vfloat)) + here.x) *
+                           (1.0F / static_cast<float>(view.frame.width));
+            const real y = (real(__builtin_convertvector(pixels.y, vfloat)) + here.y) *
+                           (1.0F / static_cast<float>(view.frame.height));
+            Ray ray;
+            mask shown = begins;
+            if (camera != nullptr) {
+                shown = host_rays(*camera, view.frame, pixels, here, next, 0, begins, ray);
+            } else {
+                ray = camera_ray(view.frame, x, y);
+                shown = mask_and(begins, ray.t_max > ray.t_min);
+            }
+            if (work.frame.camera_normal != NONE) bend_rays(view, work.frame.camera_normal, x, y, ray);
+            // What the last path of the lane brought.
+            block.radiance = select(begins, block.radiance + linear_light(view, radiance) * at.weight, block.radiance);
+            block.weights = select(begins, block.weights + at.weight, block.weights);
+            radiance = select(begins, real3(real(0.0F)), radiance);
+            at.weight = select(begins, here.weight, at.weight);
+            take_path(begins, begun_path(view, ray, sample, shown), path);
+            next = next + select(begins, word(1U), word(0U));
+        }
+        if (!any_lane(path.alive)) {
+            if (any_lane(mask_and(in_image, next < end))) continue;
+            break;
+        }
+        extend_path(view, together, path, radiance, block.counts,
+                    work.first_sample == 0 && together ? block.first : unseen);
+        together = false;
+    }
+    block.radiance = block.radiance + linear_light(view, radiance) * at.weight;
+    block.weights = block.weights + at.weight;
+    return block;
+}
+
+KERNEL_END
+
+namespace sundog::cpu {
+
+TileRays SUNDOG_PATH_KERNEL(const TileWork& work) {
+    using namespace kernel;
+    SceneView view = view_of(work.scene, work.frame, work.traversal);
+    const vint width = vint{} + static_cast<int>(view.frame.width);
+    const vint height = vint{} + static_cast<int>(view.frame.height);
+    RayCounts counts{word(0U), word(0U)};
+    // As in tile_kernel.cpp: the same blocks whatever the region.
+    for (int y = work.region.y0 / kBlockHeight * kBlockHeight; y < work.region.y1; y += kBlockHeight) {
+        for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
+            const BlockPixels pixels(x, y);
+            vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
+            if (!work.wanted.empty()) {
+                const vuint wanted = wanted_lanes(x, y, work);
+                inside &= wanted;
+                if (sum_lanes(word(wanted)) == 0) continue;
+            }
+            const BlockResult block = trace_paths(view, x, y, word(inside) != word(0U), work);
+            counts.rays = counts.rays + block.counts.rays;
+            counts.shadow_rays = counts.shadow_rays + block.counts.shadow_rays;
+            store_block(x, y, block, work);
+        }
+    }
+    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+}
+
+}  // namespace sundog::cpu
