@@ -19,6 +19,7 @@ _sundog() {
       fi ;;
     --show) mapfile -t COMPREPLY < <(compgen -W "cost" -- "$word"); return ;;
     --tone-map) mapfile -t COMPREPLY < <(compgen -W "linear reinhard aces agx gamma" -- "$word"); return ;;
+    --camera) mapfile -t COMPREPLY < <(compgen -W "front back left right top bottom iso" -- "$word"); return ;;
     --sampler) mapfile -t COMPREPLY < <(compgen -W "r2 regular jittered sobol" -- "$word"); return ;;
     --filter) mapfile -t COMPREPLY < <(compgen -W "pixel box tent gaussian mitchell blackman-harris" -- "$word"); return ;;
     --adaptive-method) mapfile -t COMPREPLY < <(compgen -W "1 2" -- "$word"); return ;;
@@ -30,14 +31,14 @@ _sundog() {
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
     -o | --output | --environment) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --camera | --pixel | --gain | --rounds)
+    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --turntable | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
   case $command in
     render)
       options+=" --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
-      options+=" --time --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --camera --pixel --quiet"
+      options+=" --time --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --camera --turntable --pixel --denoise --quiet"
       files='@(scene|obj|gltf|glb|conf)' ;;
     view) options+=" --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
     info) options+=" --devices --all"; files='@(scene|obj|gltf|glb|conf)' ;;

@@ -89,7 +89,8 @@ OutputPlan plan_output(const std::string& file, const std::string& format, const
     } else if (output::is_video(plan.file)) {
         plan.target = Target::video;
         if (!frames)
-            throw UsageError(fmt::format("-o '{}': a video needs --frames", file), "for example --frames 0..249");
+            throw UsageError(fmt::format("-o '{}': a video needs --frames", file),
+                             "for example --frames 0..249, or --turntable 100");
         check_writable(plan.file);
     } else {
         plan.target = frames ? Target::numbered_images : Target::image;

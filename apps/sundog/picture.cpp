@@ -65,7 +65,7 @@ std::vector<output::Layer> layers_of(const Film& film, const AovChoice& aovs) {
     return layers;
 }
 
-std::size_t picture_memory(Size size, const AovChoice& aovs) {
+std::size_t picture_memory(Size size, const AovChoice& aovs, bool denoise) {
     // The film's sums, the picture made of it and the encoded file; each plane in the film and as a layer.
     std::size_t bytes = sizeof(std::array<float, 4>) + sizeof(Vec3) + sizeof(Vec3);
     const auto plane = [&](std::uint32_t bit, std::size_t size_of_one) {
@@ -76,6 +76,8 @@ std::size_t picture_memory(Size size, const AovChoice& aovs) {
     plane(kernel::AOV_ALBEDO, sizeof(Vec3));
     plane(kernel::AOV_OBJECT, 3 * sizeof(std::uint32_t));
     plane(kernel::AOV_COST, sizeof(float));
+    // Blocks' spread and its variance, guides, and light and guides as the filter has them.
+    if (denoise) bytes += 44 + 5 * sizeof(Vec3) + sizeof(float) + 12 * sizeof(float);
     if (aovs.samples) bytes += 2 * sizeof(float);
     return bytes * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
@@ -91,9 +93,9 @@ std::size_t usable_memory() {
     return bytes;
 }
 
-void check_picture_memory(Size size, const AovChoice& aovs) {
+void check_picture_memory(Size size, const AovChoice& aovs, bool denoise) {
     constexpr double kGigabyte = 1e9;
-    const std::size_t needed = picture_memory(size, aovs);
+    const std::size_t needed = picture_memory(size, aovs, denoise);
     const std::size_t usable = usable_memory();
     // The rest of the machine and the scene need some of it too.
     if (needed <= usable / 4 * 3) return;

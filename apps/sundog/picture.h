@@ -21,12 +21,12 @@ void paint_traced(const Film& film, output::Image& image);
 std::vector<output::Layer> layers_of(const Film& film, const AovChoice& aovs);
 
 /// Bytes that rendering and writing a picture of this size takes, about.
-std::size_t picture_memory(Size size, const AovChoice& aovs);
+std::size_t picture_memory(Size size, const AovChoice& aovs, bool denoise = false);
 
 /// Bytes that this process may use: the machine's memory, or less where a control group or limit says so.
 std::size_t usable_memory();
 
 /// Errors: UsageError if the picture would take more memory than there is.
-void check_picture_memory(Size size, const AovChoice& aovs);
+void check_picture_memory(Size size, const AovChoice& aovs, bool denoise = false);
 
 }  // namespace sundog::app

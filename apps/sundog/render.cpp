@@ -11,7 +11,6 @@
 #include "loading.h"
 #include "picture.h"
 #include "usage_error.h"
-#include "viewer/replay.h"
 
 namespace sundog::app {
 namespace {
@@ -20,23 +19,15 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  sundog render table.scene -o table.png --size 1920x1080 --spp 16\n"
     "  sundog render table.scene -o turn.mp4 --frames 0..249 --fps 25\n"
+    "  sundog render model.obj -o model.mp4 --camera iso --turntable 100\n"
     "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
     "  sundog render table.scene -o table.exr --aov depth,normal\n"
+    "  sundog render table.scene -o table.png --spp 16 --denoise\n"
     "  sundog render table.scene -o table.png --tone-map agx --exposure 0.5\n"
     "  sundog render table.scene -o - --size 320x240 | display\n"
     "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
 
 constexpr float kLongestTime = 1e6F;
-
-kernel::Camera parse_camera(const std::string& text) {
-    const auto camera = viewer::parse_camera_argument(text);
-    if (!camera)
-        throw UsageError(
-            "--camera: expected twelve numbers with commas between them: the eye, the way to the window's middle, half "
-            "its width and half its height, each x,y,z",
-            "the window of 'sundog view' shows the whole command for a picked pixel");
-    return *camera;
-}
 
 /// The size that the picture will have, when neither option nor scene says: as
 /// make_frame decides.
@@ -76,6 +67,25 @@ void check_primary(RenderArguments& arguments) {
     arguments.device = "cpu";
 }
 
+void check_denoising(const RenderArguments& arguments) {
+    using Way = SamplingArguments::Way;
+    constexpr int kFewest = 4;
+    const SamplingArguments& sampling = arguments.sampling;
+    if (sampling.way() != Way::fixed && sampling.way() != Way::to_error)
+        throw UsageError("--denoise needs to know each pixel's noise: leave --preview and --adaptive out",
+                         "for example --spp 16, or --target-error 0.05");
+    if (sampling.most_samples() < kFewest)
+        throw UsageError(fmt::format("--denoise needs {} samples a pixel to tell noise from picture", kFewest),
+                         "for example --spp 16");
+    if (sampling.pattern.value_or(kernel::SAMPLES_SOBOL) != kernel::SAMPLES_SOBOL)
+        throw UsageError("--denoise takes Sobol's sequence in blocks: leave --sampler out");
+    if (sampling.pixel_filter == kernel::FILTER_MITCHELL)
+        throw UsageError("--filter mitchell has weights below 0, from which --denoise can't tell the noise",
+                         "for example --filter gaussian");
+    if (arguments.shown != Shown::picture || arguments.pixel)
+        throw UsageError("--denoise is for pictures: leave --show and --pixel out");
+}
+
 int render(RenderArguments arguments) {
     using Way = SamplingArguments::Way;
     arguments.sampling.check();
@@ -86,13 +96,20 @@ int render(RenderArguments arguments) {
         throw UsageError("--adaptive-method 2 has no layers but samples");
     if (arguments.shown == Shown::cost) check_shown_cost(arguments);
     if (arguments.shown == Shown::rays) check_shown_rays(arguments);
+    if (arguments.denoise) check_denoising(arguments);
     check_primary(arguments);
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
+    if (arguments.turntable) {
+        if (arguments.frames || arguments.pixel || arguments.shown == Shown::cost)
+            throw UsageError("--turntable makes frames of its own: leave --frames, --pixel and --show cost out");
+        arguments.frames = FrameRange{0, *arguments.turntable - 1};
+    }
     // What can be known to fail is found out before the scene is read and
     // rendered.
-    if (arguments.frame.width) check_picture_memory({*arguments.frame.width, *arguments.frame.height}, arguments.aovs);
+    if (arguments.frame.width)
+        check_picture_memory({*arguments.frame.width, *arguments.frame.height}, arguments.aovs, arguments.denoise);
     const bool layers = arguments.aovs.planes != 0 || arguments.aovs.samples;
     OutputPlan plan;
     if (!arguments.pixel) plan = plan_output(arguments.output, arguments.format, arguments.frames, layers);
@@ -109,7 +126,12 @@ int render(RenderArguments arguments) {
     scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
-    check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs);
+    check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs, arguments.denoise);
+    if (arguments.view) {
+        const Size size = size_of(make_frame(scene, *compiled, arguments.frame));
+        arguments.frame.camera = camera_of(*arguments.view, scene::compass_of(scene), compiled->bounds,
+                                           static_cast<float>(size.width) / static_cast<float>(size.height));
+    }
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
                                     arguments.acceleration.value_or(Acceleration::embree), arguments.primary));
     session.load(compiled);
@@ -243,14 +265,26 @@ void add_render(CLI::App& program, Action& action) {
         ->type_name("LIST");
     command
         ->add_option_function<std::string>(
-            "--camera", [&a](Text text) { a.frame.camera = parse_camera(text); },
-            "Instead of the scene's camera, as 'sundog view' writes it")
-        ->type_name("LIST");
+            "--camera",
+            [&a](Text text) {
+                const auto camera = parse_camera(text);
+                if (const View* view = std::get_if<View>(&camera)) a.view = *view;
+                else a.frame.camera = std::get<kernel::Camera>(camera);
+            },
+            "Instead of the scene's camera: front, back, left, right, top, bottom or iso, which find the scene, or "
+            "twelve numbers as 'sundog view' writes them")
+        ->type_name("NAME|LIST");
+    command
+        ->add_option_function<std::string>(
+            "--turntable", [&a](Text text) { a.turntable = parse_int("--turntable", text, 1, 100000); },
+            "Render N frames of the camera going once round the scene, at the moment of --time")
+        ->type_name("N");
     command
         ->add_option_function<std::string>(
             "--pixel", [&a](Text text) { a.pixel = parse_pixel(text); },
             "Print what this pixel sees instead of making a picture")
         ->type_name("X,Y");
+    command->add_flag("--denoise", a.denoise, "Remove the noise of --spp 4 or more, or of --target-error");
     command->add_flag("-q,--quiet", a.quiet, "No progress and no summary");
     command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }

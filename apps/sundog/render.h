@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arguments.h"
+#include "camera_views.h"
 #include "compile/compile.h"
 #include "environment_options.h"
 #include "output_plan.h"
@@ -36,11 +37,14 @@ struct RenderArguments {
     EnvironmentArguments environment;
     float frames_per_second = 25;
     std::optional<FrameRange> frames;
+    std::optional<int> turntable;  ///< Frames of one turn round the scene.
+    std::optional<View> view;      ///< Instead of the scene's camera.
     std::optional<Pixel> pixel;
     AovChoice aovs;
     std::optional<Acceleration> acceleration;  ///< If asked for: then on the CPU.
     PrimaryHits primary = PrimaryHits::automatic;
     Shown shown = Shown::picture;
+    bool denoise = false;
     bool quiet = false;
     FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.
 };

@@ -10,11 +10,13 @@
 
 #include "console.h"
 #include "exit_status.h"
+#include "noise.h"
 #include "output/progress_line.h"
 #include "output/video.h"
 #include "picture.h"
 #include "render.h"
 #include "scene/deformation.h"
+#include "session/blocks.h"
 #include "usage_error.h"
 
 namespace sundog::app {
@@ -134,11 +136,25 @@ PictureAndSummary picture_of(const Frame& frame, const RenderArguments& argument
         case Way::recursive:
             result = session.render_recursive(frame, sampling.recursive_sampling(), progress, stop);
             break;
-        default:
-            result = session.render(frame, static_cast<std::uint32_t>(sampling.most_samples()), progress, stop);
+        default: {
+            const auto samples = static_cast<std::uint32_t>(sampling.most_samples());
+            result = arguments.denoise ? render_in_blocks(session.device(), frame, samples, progress, stop)
+                                       : session.render(frame, samples, progress, stop);
             break;
+        }
     }
     picture.samples = samples_of(result);
+    return picture;
+}
+
+/// picture_of(), without its noise where that was asked for.
+PictureAndSummary clean_picture_of(const Frame& frame, const RenderArguments& arguments, Session& session,
+                                   const ProgressSink& progress, const StopFlag& stop) {
+    PictureAndSummary picture = picture_of(frame, arguments, session, progress, stop);
+    // Where it was interrupted, some pixels have too few samples to tell their noise.
+    if (!arguments.denoise || picture.result.stopped) return picture;
+    const double seconds = remove_noise(session.device(), frame, stop, picture.result);
+    picture.samples += fmt::format(", denoised in {:.2f} s", seconds);
     return picture;
 }
 
@@ -148,7 +164,7 @@ int render_image(const RenderArguments& arguments, const OutputPlan& plan, const
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
-    const auto [result, samples] = picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
+    const auto [result, samples] = clean_picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
     line.clear();
     write_picture(plan, plan.file, shown_image(result.film, arguments), layers_of(result.film, arguments.aovs));
     if (result.stopped) {
@@ -171,6 +187,8 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     const int count = range.last - range.first + 1;
     FrameOptions options = arguments.frame;
     const Frame first = make_frame(stage.scene, stage.compiled, options);
+    const scene::Compass compass = scene::compass_of(stage.scene);
+    const Vec3 pivot = stage.compiled.bounds.empty() ? Vec3{} : stage.compiled.bounds.center();
     FrameWriter writer(plan, {static_cast<int>(first.params.width), static_cast<int>(first.params.height)},
                        arguments.frames_per_second);
     const InterruptGuard interrupt;
@@ -186,7 +204,12 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
     std::uint64_t rays = 0;
     bool stopped = false;
     for (int number = range.first; number <= range.last && !stopped; ++number) {
-        options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
+        if (arguments.turntable) {
+            const float angle_deg = 360 * static_cast<float>(number) / static_cast<float>(count);
+            options.camera = turned(first.params.camera, compass, pivot, angle_deg);
+        } else {
+            options.time_s = arguments.time_s + static_cast<float>(number) / arguments.frames_per_second;
+        }
         if (bent) {
             scene::deform(*bent, options.time_s);
             bent_compiled = compile(*bent, {});
@@ -196,7 +219,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         const auto report = [&](const Progress& p) {
             line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
         };
-        const RenderResult result = picture_of(frame, arguments, stage.session, report, interrupt.flag()).result;
+        const RenderResult result = clean_picture_of(frame, arguments, stage.session, report, interrupt.flag()).result;
         rays += result.stats.rays;
         stopped = result.stopped;
         if (!stopped) writer.add(number, result.film, arguments);

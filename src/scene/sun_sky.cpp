@@ -138,7 +138,8 @@ Vec3 sun_color(const Daylight& daylight, Vec3 up) {
     const double mass = 1 / (cos_theta + 0.15 * std::pow(93.885 - theta_deg, -1.253));
     Xyz sum{};
     double unattenuated = 0;
-    for (double nm = 380; nm <= 780; nm += 5) {
+    for (int wavelength = 380; wavelength <= 780; wavelength += 5) {
+        const double nm = wavelength;
         const double light = black_body(nm, 5772), through = transmittance(nm, mass, daylight.turbidity);
         const Xyz seen = observer(nm);
         for (std::size_t i = 0; i < 3; ++i) sum[i] += light * through * seen[i];

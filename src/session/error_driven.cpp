@@ -45,6 +45,7 @@ public:
         result_.stats.complete = !result_.stopped;
         result_.seconds = seconds();
         sum_up();
+        result_.variance = errors_.variances();
         return std::move(result_);
     }
 

@@ -64,6 +64,19 @@ float PixelErrors::error_of(const Pixel& pixel) const {
     return worst;
 }
 
+std::vector<Vec3> PixelErrors::variances() const {
+    std::vector<Vec3> out;
+    out.reserve(pixels_.size());
+    for (const Pixel& pixel : pixels_) {
+        const auto number = static_cast<float>(pixel.blocks);
+        Vec3 variance;
+        for (std::size_t c = 0; c < 3; ++c)
+            variance[c] = pixel.blocks < 2 ? pixel.mean[c] * pixel.mean[c] : pixel.squares[c] / (number * (number - 1));
+        out.push_back(variance);
+    }
+    return out;
+}
+
 float PixelErrors::error_around(std::size_t pixel) const {
     const std::size_t x = pixel % width_, y = pixel / width_;
     float worst = 0;

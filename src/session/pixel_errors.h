@@ -26,6 +26,8 @@ public:
     [[nodiscard]] float error(std::size_t pixel) const { return errors_[pixel]; }
     /// The largest error of a pixel and its eight neighbours.
     [[nodiscard]] float error_around(std::size_t pixel) const;
+    /// Variance of each pixel's mean, by the spread of its blocks; the mean's square where there are fewer than two.
+    [[nodiscard]] std::vector<Vec3> variances() const;
     [[nodiscard]] std::uint32_t blocks(std::size_t pixel) const { return pixels_[pixel].blocks; }
 
 private:

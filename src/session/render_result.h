@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "device/device.h"
 
@@ -14,6 +15,9 @@ struct RenderResult {
     RenderStats stats;
     double seconds = 0;
     bool stopped = false;  ///< True if the StopFlag ended it early; the film then holds what was done.
+    /// Of each pixel's mean, channel by channel, where the picture was made in blocks of samples (as large
+    /// as the mean's square where there were too few to tell); else empty.
+    std::vector<Vec3> variance{};
 };
 
 /// How many samples a picture took in all.

@@ -132,6 +132,20 @@ TEST(Output, NumberedFrames) {
     EXPECT_TRUE(read_bytes(folder / "moment.ppm") == first);
 }
 
+// Catches a turntable whose frames are all the same, or whose first isn't the view that was asked for.
+TEST(Output, TurntablesGoRoundTheScene) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        run(with(small_render(table_scene(), folder / "turn.ppm"), {"--camera", "iso", "--turntable", "3"}));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const std::string first = read_bytes(folder / "turn-0000.ppm"), second = read_bytes(folder / "turn-0001.ppm");
+    EXPECT_FALSE(std::filesystem::exists(folder / "turn-0003.ppm"));
+    EXPECT_TRUE(first != second);
+    EXPECT_TRUE(second != read_bytes(folder / "turn-0002.ppm"));
+    ASSERT_EQ(run(with(small_render(table_scene(), folder / "iso.ppm"), {"--camera", "iso"})).status, 0);
+    EXPECT_TRUE(read_bytes(folder / "iso.ppm") == first);
+}
+
 // Catches options that change nothing.
 TEST(Output, OptionsReachThePicture) {
     const TemporaryFolder folder;
@@ -154,6 +168,8 @@ TEST(Output, OptionsReachThePicture) {
     EXPECT_TRUE(mapped != picture({"--tone-map", "agx", "--white-balance", "4000"}));
     EXPECT_TRUE(plain != picture({"--spp", "4"}));
     EXPECT_TRUE(plain != picture({"--time", "3"}));
+    EXPECT_TRUE(picture({"--spp", "4", "--denoise"}) != picture({"--spp", "4"}));
+    EXPECT_TRUE(picture({"--spp", "4", "--denoise", "--threads", "1"}) == picture({"--spp", "4", "--denoise"}));
 }
 
 // Catches --pixel naming another object than the one that the picture shows there.

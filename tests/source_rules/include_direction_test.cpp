@@ -27,6 +27,7 @@ const std::vector<Rule>& rules() {
         {"src/scene", {"scene", "base"}},
         {"src/fields", {"fields", "scene", "kernel", "base"}},
         {"src/output", {"output", "base"}},
+        {"src/denoise", {"denoise", "base"}},
         {"src/import", {"import", "scene", "base", "output"}},
         {"src/import/gltf", {"import/gltf", "scene", "base", "output"}},
         {"src/import/obj", {"import/obj", "scene", "base", "output"}},
@@ -137,6 +138,7 @@ TEST(SourceRules, TheCheckRefusesWrongDirections) {
     EXPECT_FALSE(allowed("src/compile/a.cpp", "device/device.h"));
     EXPECT_FALSE(allowed("src/session/a.cpp", "device/cpu/cpu_device.h"));
     EXPECT_FALSE(allowed("src/import/obj/a.cpp", "import/orbit/orbit_import.h"));
+    EXPECT_FALSE(allowed("src/denoise/a.cpp", "device/film.h"));
     EXPECT_FALSE(allowed("src/kernel/a.h", "kernels/b.h"));
     EXPECT_FALSE(allowed("apps/intro64k/show/a.cpp", "base/vec.h"));
     EXPECT_TRUE(allowed("src/session/a.cpp", "device/device.h"));
