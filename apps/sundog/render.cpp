@@ -86,10 +86,19 @@ void check_denoising(const RenderArguments& arguments) {
         throw UsageError("--denoise is for pictures: leave --show and --pixel out");
 }
 
+void check_shutter(const RenderArguments& arguments) {
+    if (!(arguments.shutter_s > 0)) return;
+    if (arguments.sampling.way() != SamplingArguments::Way::fixed || arguments.sampling.most_samples() < 2)
+        throw UsageError("--shutter spreads a fixed number of samples over time", "for example --spp 64");
+    if (arguments.denoise || arguments.pixel || arguments.shown != Shown::picture)
+        throw UsageError("--shutter makes pictures: leave --denoise, --pixel and --show out");
+}
+
 int render(RenderArguments arguments) {
     using Way = SamplingArguments::Way;
     arguments.sampling.check();
     arguments.environment.check();
+    arguments.light.check();
     if (arguments.sampling.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.sampling.way() == Way::recursive && arguments.aovs.planes != 0)
@@ -97,7 +106,9 @@ int render(RenderArguments arguments) {
     if (arguments.shown == Shown::cost) check_shown_cost(arguments);
     if (arguments.shown == Shown::rays) check_shown_rays(arguments);
     if (arguments.denoise) check_denoising(arguments);
+    check_shutter(arguments);
     check_primary(arguments);
+    arguments.device = arguments.light.device_for(arguments.device);
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
@@ -116,6 +127,7 @@ int render(RenderArguments arguments) {
     if (!arguments.pixel)
         arguments.tone.check(plan.target == Target::video ? std::nullopt : std::optional(plan.format));
     arguments.frame.time_s = arguments.time_s;
+    arguments.light.apply(arguments.frame);
     arguments.frame.aovs = arguments.aovs.planes | arguments.sampling.planes();
     if (arguments.shown == Shown::rays) arguments.frame.aovs |= kernel::AOV_COST;
     arguments.frame.sampling = arguments.sampling.pixel_sampling();
@@ -135,6 +147,9 @@ int render(RenderArguments arguments) {
     Session session(open_device_for(*compiled, arguments.device, arguments.threads,
                                     arguments.acceleration.value_or(Acceleration::embree), arguments.primary));
     session.load(compiled);
+
+    if (const auto focus = arguments.light.pick_focus(make_frame(scene, *compiled, arguments.frame), session))
+        arguments.frame.focus_distance = *focus;
 
     const Stage stage{scene, *compiled, session};
     if (arguments.pixel) return print_pixel(arguments, stage);
@@ -202,27 +217,12 @@ void add_render(CLI::App& program, Action& action) {
             "cost: instead of the picture, how many steps through the structure each pixel takes; rays: the pixels "
             "that --preview traces are white")
         ->type_name("NAME");
-    command
-        ->add_option_function<std::string>(
-            "--integrator",
-            [&a](Text text) {
-                a.frame.integrator = parse_choice("--integrator", text, {"whitted", "path"}) == "path"
-                                         ? kernel::INTEGRATOR_PATH
-                                         : kernel::INTEGRATOR_WHITTED;
-            },
-            "whitted (mirrors, glass and sharp shadows; default) or path (all light there is, with noise that fades)")
-        ->type_name("NAME");
-    command
-        ->add_option_function<std::string>(
-            "--seed",
-            [&a](Text text) { a.frame.seed = static_cast<std::uint32_t>(parse_int("--seed", text, 0, 1000000000)); },
-            "Another number, another noise, for --integrator path (0)")
-        ->type_name("N");
+    add_light_options(*command, a.light);
     add_sampling_options(*command, a.sampling);
     command
         ->add_option_function<std::string>(
             "--max-depth", [&a](Text text) { a.frame.max_depth = parse_int("--max-depth", text, 0, 10000); },
-            "Most reflections and refractions on a path (else the scene's, else 5)")
+            "Most reflections and refractions on a path (else the scene's, else 5; for paths 16)")
         ->type_name("N");
     command
         ->add_option_function<std::string>(
@@ -240,6 +240,11 @@ void add_render(CLI::App& program, Action& action) {
         ->add_option_function<std::string>(
             "--time", [&a](Text text) { a.time_s = parse_float("--time", text, -kLongestTime, kLongestTime); },
             "Moment in seconds (0); of frame 0 with --frames")
+        ->type_name("T");
+    command
+        ->add_option_function<std::string>(
+            "--shutter", [&a](Text text) { a.shutter_s = parse_float("--shutter", text, 0, kLongestTime); },
+            "Motion blur: seconds that the shutter is open; each sample sees another moment (0)")
         ->type_name("T");
     command
         ->add_option_function<std::string>(

@@ -9,6 +9,7 @@
 #include "camera_views.h"
 #include "compile/compile.h"
 #include "environment_options.h"
+#include "light_options.h"
 #include "output_plan.h"
 #include "sampling_options.h"
 #include "session/session.h"
@@ -31,7 +32,9 @@ struct RenderArguments {
     std::string device = "auto";
     int threads = 0;  ///< 0: all.
     SamplingArguments sampling;
+    LightArguments light;
     float time_s = 0;
+    float shutter_s = 0;  ///< How long it is open; 0: pictures are of one moment.
     float exposure_ev = 0;
     ToneArguments tone;
     EnvironmentArguments environment;

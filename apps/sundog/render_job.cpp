@@ -17,6 +17,7 @@
 #include "render.h"
 #include "scene/deformation.h"
 #include "session/blocks.h"
+#include "shutter.h"
 #include "usage_error.h"
 
 namespace sundog::app {
@@ -158,13 +159,22 @@ PictureAndSummary clean_picture_of(const Frame& frame, const RenderArguments& ar
     return picture;
 }
 
+/// The picture that was asked for: of one moment or of an open shutter.
+PictureAndSummary shot_of(const Frame& frame, const FrameOptions& options, const RenderArguments& arguments,
+                          const Stage& stage, const ProgressSink& progress, const StopFlag& stop) {
+    if (!(arguments.shutter_s > 0)) return clean_picture_of(frame, arguments, stage.session, progress, stop);
+    PictureAndSummary picture{render_open_shutter(arguments, options, stage, progress, stop), {}};
+    picture.samples = samples_of(picture.result);
+    return picture;
+}
+
 }  // namespace
 
 int render_image(const RenderArguments& arguments, const OutputPlan& plan, const Stage& stage) {
     const Frame frame = make_frame(stage.scene, stage.compiled, arguments.frame);
     const InterruptGuard interrupt;
     output::ProgressLine line(std::cerr, !arguments.quiet && isatty(STDERR_FILENO) == 1);
-    const auto [result, samples] = clean_picture_of(frame, arguments, stage.session, std::ref(line), interrupt.flag());
+    const auto [result, samples] = shot_of(frame, arguments.frame, arguments, stage, std::ref(line), interrupt.flag());
     line.clear();
     write_picture(plan, plan.file, shown_image(result.film, arguments), layers_of(result.film, arguments.aovs));
     if (result.stopped) {
@@ -219,7 +229,7 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         const auto report = [&](const Progress& p) {
             line({(number - range.first + p.fraction) / count, seconds(), rays + p.rays});
         };
-        const RenderResult result = clean_picture_of(frame, arguments, stage.session, report, interrupt.flag()).result;
+        const RenderResult result = shot_of(frame, options, arguments, stage, report, interrupt.flag()).result;
         rays += result.stats.rays;
         stopped = result.stopped;
         if (!stopped) writer.add(number, result.film, arguments);

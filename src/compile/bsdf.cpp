@@ -56,6 +56,48 @@ float opacity_of(const PrincipledSurface& s) {
     return 1;
 }
 
+std::uint32_t kind_of(scene::ReflectionModel::Kind kind) {
+    using Kind = scene::ReflectionModel::Kind;
+    switch (kind) {
+        case Kind::oren_nayar:
+            return kernel::BSDF_OREN_NAYAR;
+        case Kind::phong:
+            return kernel::BSDF_PHONG;
+        case Kind::blinn_phong:
+            return kernel::BSDF_BLINN_PHONG;
+        case Kind::ward:
+            return kernel::BSDF_WARD;
+        case Kind::cook_torrance:
+            return kernel::BSDF_COOK_TORRANCE;
+        case Kind::beckmann:
+            return kernel::BSDF_BECKMANN;
+        case Kind::ggx:
+            return kernel::BSDF_CONDUCTOR;
+        case Kind::glass:
+            return kernel::BSDF_DIELECTRIC;
+    }
+    return kernel::BSDF_OREN_NAYAR;
+}
+
+/// Matt surfaces have the colour Kd, others Ks; metals and glass are white where that is black.
+kernel::Bsdf named_model(const scene::MtlSurface& s) {
+    using Kind = scene::ReflectionModel::Kind;
+    const scene::ReflectionModel& model = *s.model;
+    kernel::Bsdf out = plain();
+    out.kind = kind_of(model.kind);
+    out.alpha_x = model.first;
+    out.alpha_y = model.second;
+    out.n = to_kernel(model.n);
+    out.k = to_kernel(model.k);
+    if (s.ior > 1) out.ior = s.ior;
+    const bool tints = model.kind >= Kind::cook_torrance;
+    Vec3 color = model.kind == Kind::oren_nayar ? s.diffuse : s.specular;
+    if (tints && color == Vec3{}) color = kWhite;
+    out.color = to_kernel(clamp01(color));
+    out.opacity = model.kind == Kind::glass ? 1 : clamp01(s.opacity);
+    return out;
+}
+
 }  // namespace
 
 std::optional<kernel::Bsdf> compile_bsdf(const PrincipledSurface& s) {
@@ -83,11 +125,14 @@ std::optional<kernel::Bsdf> compile_bsdf(const PrincipledSurface& s) {
     if (s.iridescence_thickness_map.texture == scene::kNone) out.film_least_nm = out.film_most_nm;
     out.anisotropy = clamp01(s.anisotropy);
     out.anisotropy_rotation = s.anisotropy_rotation_rad;
+    // A wall without thickness refracts nothing.
+    out.dispersion = s.thickness > 0 ? std::max(s.dispersion, 0.0F) : 0;
     out.opacity = opacity_of(s);
     return out;
 }
 
 std::optional<kernel::Bsdf> compile_bsdf(const scene::MtlSurface& s) {
+    if (s.model) return named_model(s);
     if (!s.roughness && !s.metallic && !s.clearcoat) return std::nullopt;
     kernel::Bsdf out = plain();
     out.color = to_kernel(clamp01(s.diffuse));

@@ -270,7 +270,8 @@ Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
 }
 
 std::uint32_t features_of(const RenderScene& scene, const kernel::Material& material) {
-    const std::uint32_t bsdf = material.bsdf != kernel::NONE ? kernel::FEATURE_BSDF : 0U;
+    std::uint32_t bsdf = material.bsdf != kernel::NONE ? kernel::FEATURE_BSDF : 0U;
+    if (bsdf != 0 && scene.bsdfs[material.bsdf].dispersion > 0) bsdf |= kernel::FEATURE_DISPERSION;
     return bsdf | material_features(material, scene.material_maps[material.maps]) | pattern_features(scene, material);
 }
 

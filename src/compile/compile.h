@@ -16,7 +16,7 @@ namespace sundog {
 std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn);
 
 /// What the caller chooses of a picture; what is not set comes from the scene's Settings, then from the defaults
-/// that the manual names (640x480, depth 5, min_weight 0.01, shadows on, no far clip).
+/// that the manual names (640x480, depth 5, for paths 16, min_weight 0.01, shadows on, no far clip).
 struct FrameOptions {
     std::optional<int> width, height;
     float time_s = 0;  ///< Overruled by Settings::freeze_s.
@@ -28,8 +28,13 @@ struct FrameOptions {
     std::uint32_t aovs = 0;                ///< AOV_* bits
     kernel::PixelSampling sampling{};      ///< Else the middle first, then all over the pixel's square.
     std::uint32_t integrator = kernel::INTEGRATOR_WHITTED;
-    std::uint32_t seed = 0;  ///< Of paths: another one gives other noise.
-    bool radiosity = true;   ///< False: scenes that have it are drawn with ambient light instead.
+    std::uint32_t seed = 0;         ///< Of paths: another one gives other noise.
+    float most_radiance = 0;        ///< A path brings no more than this; 0: as much as there is.
+    float occlusion_distance = 0;   ///< Of ambient occlusion; 0: half the size of the scene's bounds.
+    float lens_radius = 0;          ///< Of a thin lens, in the scene's units; 0: a pinhole.
+    float focus_distance = 0;       ///< To what is sharp, along the view axis.
+    std::uint32_t lens_blades = 0;  ///< Sides of its aperture; under 3: it is round.
+    bool radiosity = true;          ///< False: scenes that have it are drawn with ambient light instead.
 };
 
 /// The frame of a compiled scene at a moment: camera, lights, moving objects, limits.

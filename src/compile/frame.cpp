@@ -16,6 +16,7 @@ namespace {
 constexpr int kDefaultWidth = 640;
 constexpr int kDefaultHeight = 480;
 constexpr int kDefaultMaxDepth = 5;
+constexpr int kPathsMaxDepth = 16;
 constexpr float kDefaultMinWeight = 0.01F;
 constexpr float kNoFarClip = std::numeric_limits<float>::infinity();
 
@@ -206,7 +207,10 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.ambient = to_kernel(scene.ambient);
     params.irid_wavelength = to_kernel(scene.irid_wavelength);
     params.sky = to_kernel(scene.sky);
-    params.max_depth = static_cast<std::uint32_t>(choose(options.max_depth, settings.max_depth, kDefaultMaxDepth));
+    // What a scene says is meant for mirrors and glass.
+    params.max_depth = static_cast<std::uint32_t>(options.integrator == kernel::INTEGRATOR_WHITTED
+                                                      ? choose(options.max_depth, settings.max_depth, kDefaultMaxDepth)
+                                                      : options.max_depth.value_or(kPathsMaxDepth));
     params.min_weight = choose(options.min_weight, settings.min_weight, kDefaultMinWeight);
     params.far_z = choose(options.far_z, settings.far_z, kNoFarClip);
     params.plane_count = plane_count_of(compiled);
@@ -247,7 +251,15 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     if (params.environment.width > 0) params.features |= kernel::FEATURE_ENVIRONMENT;
     params.integrator = options.integrator;
     params.seed = options.seed;
-    if (options.integrator == kernel::INTEGRATOR_PATH) {
+    params.most_radiance = options.most_radiance;
+    params.lens_radius = options.lens_radius;
+    params.focus_distance = options.focus_distance;
+    params.lens_blades = options.lens_blades;
+    params.occlusion_distance = options.occlusion_distance;
+    if (!(params.occlusion_distance > 0))
+        params.occlusion_distance =
+            compiled.bounds.empty() ? 1.0F : 0.5F * length(compiled.bounds.upper - compiled.bounds.lower);
+    if (options.integrator != kernel::INTEGRATOR_WHITTED) {
         // Paths find the light that these stand for.
         params.ambient = {0, 0, 0};
         list_emitters(compiled, frame);

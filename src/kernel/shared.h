@@ -96,6 +96,7 @@ KERNEL_CONST uint CAMERA_SPHERICAL = 10u;
 /// FrameParams::integrator.
 KERNEL_CONST uint INTEGRATOR_WHITTED = 0u;
 KERNEL_CONST uint INTEGRATOR_PATH = 1u;
+KERNEL_CONST uint INTEGRATOR_OCCLUSION = 2u;
 
 /// Emitter::kind.
 KERNEL_CONST uint EMITTER_TRIANGLE = 0u;
@@ -451,6 +452,7 @@ struct Bsdf {
     float sheen_roughness;
     float film, film_ior, film_least_nm, film_most_nm;
     float anisotropy, anisotropy_rotation;
+    float dispersion;  ///< Of the index of refraction: from red to violet it grows by (ior - 1) / 20 times this.
     float opacity;
     uint maps;  ///< Into `bsdf_maps`, or NONE.
 };
@@ -614,8 +616,13 @@ struct FrameParams {
     float working_gamma;  ///< The scene's numbers to this power are linear light; 1 for scenes that are linear; 0 for
                           ///< scenes whose numbers are sRGB-encoded.
     uint seed;
-    uint integrator;     ///< INTEGRATOR_*
-    uint emitter_count;  ///< 0: nothing that paths could aim at.
+    float lens_radius;         ///< Of a thin lens; 0: a pinhole.
+    float focus_distance;      ///< Along the view axis, to what is sharp.
+    uint lens_blades;          ///< Sides of its aperture; under 3: it is round.
+    uint integrator;           ///< INTEGRATOR_*
+    float most_radiance;       ///< A path brings no more than this; 0: as much as there is.
+    float occlusion_distance;  ///< Of INTEGRATOR_OCCLUSION.
+    uint emitter_count;        ///< 0: nothing that paths could aim at.
     float
         emitted_power;  ///< What emitters' probabilities are shares of: emission_power times area, for those with one.
     Environment environment;

@@ -15,6 +15,7 @@
 #include "scene/photons.h"
 #include "scene/pigment.h"
 #include "scene/principled.h"
+#include "scene/reflection_model.h"
 #include "scene/solid.h"
 
 namespace sundog::scene {
@@ -161,7 +162,8 @@ struct MtlSurface {
     int illum = 2;
     std::optional<float> roughness, metallic, clearcoat;  ///< Pr Pm Pc
     bool phong_highlight = false;  ///< Own MTL key `highlight phong`: Phong's mirrored ray, not Blinn's halfway vector.
-    std::optional<Checker> checker;  ///< Own MTL key `checker_Kd u v r g b`.
+    std::optional<ReflectionModel> model;  ///< Own MTL key `bsdf`: paths scatter by it.
+    std::optional<Checker> checker;        ///< Own MTL key `checker_Kd u v r g b`.
     TextureUse map_diffuse, map_specular, map_bump, map_normal, map_opacity, map_emission;
 };
 

@@ -128,6 +128,9 @@ void InputReader::press_key(const SDL_KeyboardEvent& event, Input& input) const 
         case SDLK_RIGHT:
             ++input.steps_in_time;
             break;
+        case SDLK_l:
+            input.toggle_light ^= first && !ctrl;
+            break;
         case SDLK_p:
             if (first) input.pick_at = mouse_;
             break;

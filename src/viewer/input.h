@@ -16,7 +16,7 @@ struct Input {
     bool any = false;  ///< Something came that may change what the panels show.
     bool quit = false;
     bool toggle_play = false, toggle_help = false, toggle_panels = false, toggle_fullscreen = false;
-    bool toggle_rays = false;
+    bool toggle_rays = false, toggle_light = false;
     bool go_home = false;
     bool save = false;
     int steps_in_time = 0;  ///< Frames forward, negative: back.

@@ -111,6 +111,25 @@ void exposure_controls(Exposure& exposure) {
     tooltip("The colour temperature of the light that is to look white; right click: 6504 K, as it is");
 }
 
+/// How light is found, and the lens through which it is seen.
+void light_controls(const Status& status, Controls& controls) {
+    constexpr std::array<const char*, 3> kIntegrators{"mirrors and shadows", "all light (paths)",
+                                                      "how open (occlusion)"};
+    auto integrator = static_cast<int>(controls.integrator);
+    if (ImGui::Combo("Light", &integrator, kIntegrators.data(), static_cast<int>(kIntegrators.size())))
+        controls.integrator = static_cast<std::uint32_t>(integrator);
+    tooltip("Whitted's ray tracing, path tracing or ambient occlusion; the last two on the CPU (L)");
+    const float widest = status.scene_size * 0.05F;
+    ImGui::SliderFloat("Lens", &controls.lens_radius, 0, widest, "%.3g");
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) controls.lens_radius = 0;
+    tooltip("Radius of the lens: what is out of focus is blurred; right click: none");
+    if (controls.lens_radius > 0) {
+        ImGui::SliderFloat("Focus", &controls.focus_distance, status.scene_size * 0.01F, status.scene_size * 4, "%.4g",
+                           ImGuiSliderFlags_Logarithmic);
+        tooltip("Distance to what is sharp; Ctrl + click on it offers 'Focus here'");
+    }
+}
+
 void main_panel(const Status& status, Controls& controls) {
     ImGui::SetNextWindowPos({margin(), margin()});
     ImGui::Begin("##main", nullptr, kOverlay);
@@ -129,6 +148,7 @@ void main_panel(const Status& status, Controls& controls) {
     const int deepest = std::max(32, status.scene_max_depth);
     if (ImGui::SliderInt("Depth", &max_depth, 0, deepest)) controls.max_depth = std::max(max_depth, 0);
     tooltip("Mirror and refraction rays on a path at most");
+    light_controls(status, controls);
     exposure_controls(controls.exposure);
     bool shadows = controls.shadows.value_or(status.scene_shadows);
     if (ImGui::Checkbox("Shadows", &shadows)) controls.shadows = shadows;
@@ -235,6 +255,14 @@ void pixel_panel(std::optional<PickedPixel>& picked, Controls& controls) {
     }
     tooltip(picked->replay);
     ImGui::SameLine();
+    if (picked->hit) {
+        if (ImGui::Button("Focus here")) {
+            controls.focus_distance = picked->axis_depth;
+            if (!(controls.lens_radius > 0)) controls.lens_radius = picked->axis_depth * 0.02F;
+        }
+        tooltip("Make this sharp, through a lens");
+        ImGui::SameLine();
+    }
     const bool close = ImGui::Button("Close");
     ImGui::End();
     if (close) picked.reset();
@@ -279,6 +307,7 @@ void help_overlay() {
                                    Line{"Left, Right", "a frame (1/25 s) back, on"},
                                    Line{"Ctrl + click or P", "what is at this pixel"},
                                    Line{"R", "traced pixels white"},
+                                   Line{"L", "all light: paths, and back"},
                                    Line{"Ctrl + S", "save the picture"},
                                    Line{"Tab", "hide or show the panels"},
                                    Line{"F11", "full screen"},

@@ -27,7 +27,10 @@ struct Controls {
     std::optional<int> max_depth;  ///< Where not set, the scene's.
     std::optional<bool> shadows;
     Exposure exposure;
-    bool show_rays = false;  ///< Where the picture is interpolated, what is traced is white.
+    std::uint32_t integrator = kernel::INTEGRATOR_WHITTED;
+    float lens_radius = 0;     ///< 0: a pinhole.
+    float focus_distance = 0;  ///< To what is sharp; 0: not set yet.
+    bool show_rays = false;    ///< Where the picture is interpolated, what is traced is white.
     bool show_panels = true;
     bool show_help = false;
     bool copied = false;  ///< Set when the user copied the command line; the caller says so and clears it.
@@ -45,6 +48,7 @@ struct Status {
     std::uint32_t samples = 0;
     double pictures_per_s = 0;  ///< 0: at rest.
     double rays_per_s = 0;
+    float scene_size = 1;    ///< Of its bounds, from corner to corner.
     bool own_camera = true;  ///< The scene's, not the user's.
     bool loading = false;
     bool animated = false;

@@ -13,10 +13,11 @@ namespace sundog::viewer {
 struct PickedPixel {
     int x = 0, y = 0;
     PixelInfo info;
-    bool hit = false;  ///< False: the sky; nothing below is set then.
+    bool hit = false;      ///< False: the sky; nothing below is set then.
     std::string object, object_place;
     std::string material, material_place;
-    std::string replay;  ///< The command line that computes this pixel again.
+    std::string replay;    ///< The command line that computes this pixel again.
+    float axis_depth = 0;  ///< How far along the view axis it is.
 };
 
 /// Finds names and places of what `info` saw in the scene.

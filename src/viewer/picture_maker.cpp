@@ -31,7 +31,8 @@ bool same_radiance(const ViewRequest& a, const ViewRequest& b) {
     const FrameOptions& q = b.options;
     return a.scene == b.scene && a.device == b.device && a.show_rays == b.show_rays && p.width == q.width &&
            p.height == q.height && p.time_s == q.time_s && p.max_depth == q.max_depth && p.min_weight == q.min_weight &&
-           p.shadows == q.shadows && p.far_z == q.far_z && same(p.camera, q.camera);
+           p.shadows == q.shadows && p.far_z == q.far_z && p.integrator == q.integrator &&
+           p.lens_radius == q.lens_radius && p.focus_distance == q.focus_distance && same(p.camera, q.camera);
 }
 
 PictureMaker::PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples)
@@ -122,10 +123,16 @@ bool PictureMaker::show_rays_at_full_size(const StopFlag& stop) {
     return true;
 }
 
+std::uint32_t PictureMaker::most_samples() const {
+    // Noise takes more of them to fade than edges to smooth.
+    constexpr std::uint32_t kForNoise = 64;
+    return request_.options.integrator == kernel::INTEGRATOR_WHITTED ? max_samples_ : max_samples_ * kForNoise;
+}
+
 bool PictureMaker::can_refine() const {
     if (!ready()) return false;
     if (request_.show_rays && refinable_) return !holds_rays_at_full_size();
-    return !holds_full_size() || samples_ < max_samples_;
+    return !holds_full_size() || samples_ < most_samples();
 }
 
 PixelInfo PictureMaker::pick(int x, int y) { return session_->pick(frame_of(full_size()), x, y); }

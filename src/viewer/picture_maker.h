@@ -83,6 +83,7 @@ private:
     [[nodiscard]] bool holds_full_size() const;
     [[nodiscard]] bool holds_rays_at_full_size() const;
     [[nodiscard]] bool fills_the_window() const;
+    [[nodiscard]] std::uint32_t most_samples() const;
     /// Planes of a picture that is made by grid refinement.
     [[nodiscard]] std::uint32_t refined_aovs() const { return request_.show_rays ? kernel::AOV_COST : 0U; }
 

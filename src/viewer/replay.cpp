@@ -63,6 +63,10 @@ std::string replay_command(const std::filesystem::path& scene_file, std::string_
     if (options.max_depth) command += fmt::format(" --max-depth {}", *options.max_depth);
     if (options.min_weight) command += fmt::format(" --min-weight {}", *options.min_weight);
     if (options.shadows) command += fmt::format(" --shadows {}", *options.shadows ? "on" : "off");
+    if (options.integrator != kernel::INTEGRATOR_WHITTED)
+        command += options.integrator == kernel::INTEGRATOR_PATH ? " --integrator path" : " --integrator occlusion";
+    if (options.lens_radius > 0)
+        command += fmt::format(" --aperture {} --focus {}", options.lens_radius, options.focus_distance);
     if (options.width && options.height) command += fmt::format(" --size {}x{}", *options.width, *options.height);
     return command + fmt::format(" --pixel {},{}", pixel_x, pixel_y);
 }

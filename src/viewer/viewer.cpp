@@ -71,6 +71,18 @@ std::vector<DeviceChoice> device_choices() {
     return choices;
 }
 
+/// How far along the view axis lies what a pixel saw.
+float axis_depth(const PixelSeen& seen) {
+    const FrameOptions& options = seen.request.options;
+    if (!options.camera) return seen.info.depth;
+    const auto vec = [](const kernel::vec3& v) { return Vec3{v.x, v.y, v.z}; };
+    const float x = 2 * (static_cast<float>(seen.x) + 0.5F) / static_cast<float>(options.width.value_or(1)) - 1;
+    const float y = 1 - 2 * (static_cast<float>(seen.y) + 0.5F) / static_cast<float>(options.height.value_or(1));
+    const Vec3 center = vec(options.camera->center);
+    const Vec3 through = center + vec(options.camera->right) * x + vec(options.camera->up) * y;
+    return seen.info.depth * dot(center, through) / (length(center) * length(through));
+}
+
 /// The window with all that belongs to it; each step() is one turn of its loop.
 class Viewer {
 public:
@@ -184,6 +196,9 @@ void Viewer::apply(const Input& input, double passed_s) {
     controls_.show_help ^= input.toggle_help;
     controls_.show_panels ^= input.toggle_panels;
     controls_.show_rays ^= input.toggle_rays;
+    if (input.toggle_light)
+        controls_.integrator =
+            controls_.integrator == kernel::INTEGRATOR_PATH ? kernel::INTEGRATOR_WHITTED : kernel::INTEGRATOR_PATH;
     if (input.toggle_fullscreen) window_.toggle_fullscreen();
     if (input.go_home) camera_.go_home();
 
@@ -215,6 +230,9 @@ void Viewer::use_scene(std::shared_ptr<const LoadedScene> scene) {
     scene_ = std::move(scene);
     bent_.reset();
     camera_.set_bounds(scene_->compiled->bounds);
+    const Bounds3& bounds = scene_->compiled->bounds;
+    const float across = bounds.empty() ? 1.0F : length(bounds.upper - bounds.lower);
+    status_.scene_size = across > 0 && std::isfinite(across) ? across : 1.0F;
     if (scene_->scene.projection_camera) camera_.set_up(to_float(scene_->scene.projection_camera->sky));
     else camera_.set_up({0, 0, 1});
     const kernel::FrameParams defaults = scene_defaults(*scene_);
@@ -240,7 +258,9 @@ void Viewer::submit() {
     const PixelSize size = window_.size_px();
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const float time_s = scene_->scene.settings.freeze_s.value_or(playback_.time_s());
-    ViewRequest request{scene_at(time_s), controls_.device, {}, controls_.exposure, controls_.show_rays};
+    // Paths are the CPU's.
+    const std::string device = controls_.integrator == kernel::INTEGRATOR_WHITTED ? controls_.device : "cpu";
+    ViewRequest request{scene_at(time_s), device, {}, controls_.exposure, controls_.show_rays};
     FrameOptions& frame = request.options;
     frame.width = size.width;
     frame.height = size.height;
@@ -248,6 +268,9 @@ void Viewer::submit() {
     frame.max_depth = controls_.max_depth;
     frame.min_weight = options_.min_weight;
     frame.shadows = controls_.shadows;
+    frame.integrator = controls_.integrator;
+    frame.lens_radius = controls_.lens_radius;
+    frame.focus_distance = controls_.focus_distance > 0 ? controls_.focus_distance : status_.scene_size;
     frame.radiosity = false;  // Gathering it takes far longer than a frame may.
     if (const auto& own = scene_->scene.projection_camera) {
         using Kind = scene::ProjectionCamera::Kind;
@@ -292,6 +315,7 @@ void Viewer::take(const RenderFailed& failure) {
 
 void Viewer::take(const PixelSeen& seen) {
     status_.picked = describe_pixel(*seen.request.scene, seen.info, seen.x, seen.y);
+    status_.picked->axis_depth = axis_depth(seen);
     status_.picked->replay =
         replay_command(options_.scene_file, seen.request.device, seen.request.options, seen.x, seen.y);
 }

@@ -232,5 +232,63 @@ TEST_F(Paths, SeedsGiveOtherNoiseAndTheSameMean) {
     EXPECT_NEAR(mean_of(first), mean_of(second), 0.01F * mean_of(first));
 }
 
+// A corner of two walls that reach far: half of what either sees nearby is the other. Over a floor alone nothing is in
+// the way. Catches occlusion that counts what is beyond its distance, or the surface itself.
+TEST_F(Paths, OcclusionEndsAtItsDistance) {
+    scene::Scene s = empty_scene();
+    const scene::Index m = add_material(s, matt({1, 1, 1}));
+    add_shape(s, scene::Plane{{0, 0, 1}, -1}, m);
+    FrameOptions options = paths(8, 8, 1);
+    options.integrator = kernel::INTEGRATOR_OCCLUSION;
+    kernel::Camera down{};
+    down.center = {0, 0, -1};
+    down.right = {0.01F, 0, 0};
+    down.up = {0, 0.01F, 0};
+    options.camera = down;
+    options.occlusion_distance = 3;
+    EXPECT_NEAR(mean(s, options, 64), 1, 1e-6F);
+    // A ceiling at the height h: a ray at the angle a to the normal meets it after h / cos a and brings the square of
+    // that over the distance d, but no more than 1. Mean by the cosine: integral of min(1, (h / (d cos a))^2) 2 cos a
+    // sin a da = 2 q^2 ln(1/q) + q^2 with q = h / d.
+    add_shape(s, scene::Plane{{0, 0, 1}, 0.5F}, m);
+    const float q = 0.5F;
+    EXPECT_NEAR(mean(s, options, 1024), 2 * q * q * std::log(1 / q) + q * q, 0.005F);
+}
+
+// A lens whose focus is at a wall shows it as a pinhole does; a shining ball out of focus becomes a disc of radius
+// R |d - f| / f in its plane at the distance d, as seen from the lens' middle. Catches lenses that move what is in
+// focus, and blur of the wrong size.
+TEST_F(Paths, ALensBlursWhatIsOutOfFocus) {
+    scene::Scene s = empty_scene();
+    const scene::Index m = add_material(s, shining({1, 1, 1}, {0, 0, 0}));
+    add_quad(s, {0, 4, -9}, {9, 4, -9}, {9, 4, 9}, {0, 4, 9}, m);  // An edge at x = 0.
+    for (const std::uint32_t integrator : {kernel::INTEGRATOR_WHITTED, kernel::INTEGRATOR_PATH}) {
+        FrameOptions options = paths(64, 3, 0);
+        options.integrator = integrator;
+        kernel::Camera narrow{};
+        narrow.center = {0, 1, 0};
+        narrow.right = {0.5F, 0, 0};
+        narrow.up = {0, 0, 0.01F};
+        options.camera = narrow;
+        options.lens_radius = 0.4F;
+        options.focus_distance = 4;
+        const Film sharp = render(s, options, 256).film;
+        EXPECT_NEAR(sharp.mean(29, 1).x, 0, 1e-6F);
+        EXPECT_NEAR(sharp.mean(34, 1).x, 1, 1e-6F);
+        // In focus at 2: a point of the lens at distance r from the middle sees the edge moved by r (4 - 2) / 2 = r, so
+        // it is blurred over 0.4 to each side: at 4, 64 pixels are 4 wide, so over 6.4 pixels.
+        options.focus_distance = 2;
+        const Film soft = render(s, options, 1024).film;
+        EXPECT_NEAR(soft.mean(24, 1).x, 0, 1e-6F);
+        EXPECT_NEAR(soft.mean(39, 1).x, 1, 1e-6F);
+        // The share of the disc on one side of a chord at half of its radius is acos(1/2)/pi - sqrt(3)/(4 pi).
+        const float pixel = 32 + 3.2F;
+        const float left = soft.mean(static_cast<int>(pixel - 0.5F), 1).x,
+                    right = soft.mean(static_cast<int>(pixel + 0.5F), 1).x;
+        const float want = 1 - (std::acos(0.5F) / kPiF - std::sqrt(3.0F) / (4 * kPiF));
+        EXPECT_NEAR((left + right) / 2, want, 0.05F);
+    }
+}
+
 }  // namespace
 }  // namespace sundog

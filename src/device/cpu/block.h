@@ -9,6 +9,7 @@
 
 #include "device/cpu/packet_traversal.h"
 #include "device/cpu/tile_kernel.h"
+#include "kernel/cameras/lens.h"
 #include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/integrators/path.h"

@@ -131,7 +131,7 @@ public:
 
     [[nodiscard]] bool can_refine(const Frame& frame) const override {
         return frame.camera_rays == nullptr && frame.camera_normal == kernel::NONE &&
-               frame.params.integrator == kernel::INTEGRATOR_WHITTED;
+               frame.params.integrator == kernel::INTEGRATOR_WHITTED && !(frame.params.lens_radius > 0);
     }
 
     RenderStats refine(const Frame& frame, const RefinedWork& work, Film& film, const StopFlag& stop) override {
@@ -420,7 +420,7 @@ private:
     void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film, Totals& totals,
                     const cpu::RasterisedTile* rasterised = nullptr) const {
         const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
-        const bool paths = frame.params.integrator == kernel::INTEGRATOR_PATH;
+        const bool paths = frame.params.integrator != kernel::INTEGRATOR_WHITTED;
         const cpu::TileKernel run =
             paths ? (plain ? plain_path_kernel_ : path_kernel_) : (plain ? plain_kernel_ : kernel_);
         const cpu::TileRays done =

@@ -4,6 +4,7 @@
 #include "device/cpu/packet_traversal.h"
 #include "device/cpu/tile_kernel.h"
 // After the traversal, which this asks.
+#include "kernel/integrators/occlusion.h"
 #include "kernel/integrators/path_tracing.h"
 
 #include "device/cpu/block.h"
@@ -15,6 +16,15 @@ inline uint block_bits(const PixelSampling& sampling) {
     return sampling.pattern == SAMPLES_SOBOL && sampling.cells > 1U && std::has_single_bit(sampling.cells)
                ? static_cast<uint>(std::countr_zero(sampling.cells))
                : 32U;
+}
+
+/// What a path brought, as linear light.
+FN real3 path_light(const SceneView& scene, real3 radiance) {
+    if (scene.frame.most_radiance > 0.0f) {
+        const real most = largest(radiance);
+        radiance = radiance * min(real(scene.frame.most_radiance) / max(most, real(1e-30F)), real(1.0F));
+    }
+    return linear_light(scene, radiance);
 }
 
 /// A block's paths. Each lane traces its pixel's, one after the other, and begins the next where one has ended: so
@@ -57,10 +67,11 @@ inline BlockResult trace_paths(const SceneView& view, int x0, int y0, mask in_im
             } else {
                 ray = camera_ray(view.frame, x, y);
                 shown = mask_and(begins, ray.t_max > ray.t_min);
+                if (view.frame.lens_radius > 0) ray = lens_ray(view.frame, ray, sample_pair(sample, word(1U)));
             }
             if (work.frame.camera_normal != NONE) bend_rays(view, work.frame.camera_normal, x, y, ray);
             // What the last path of the lane brought.
-            block.radiance = select(begins, block.radiance + linear_light(view, radiance) * at.weight, block.radiance);
+            block.radiance = select(begins, block.radiance + path_light(view, radiance) * at.weight, block.radiance);
             block.weights = select(begins, block.weights + at.weight, block.weights);
             radiance = select(begins, real3(real(0.0F)), radiance);
             at.weight = select(begins, here.weight, at.weight);
@@ -71,11 +82,13 @@ inline BlockResult trace_paths(const SceneView& view, int x0, int y0, mask in_im
             if (any_lane(mask_and(in_image, next < end))) continue;
             break;
         }
-        extend_path(view, together, path, radiance, block.counts,
-                    work.first_sample == 0 && together ? block.first : unseen);
+        FirstHit& first = work.first_sample == 0 && together ? block.first : unseen;
+        if (view.frame.integrator == INTEGRATOR_OCCLUSION)
+            extend_occlusion(view, together, path, radiance, block.counts, first);
+        else extend_path(view, together, path, radiance, block.counts, first);
         together = false;
     }
-    block.radiance = block.radiance + linear_light(view, radiance) * at.weight;
+    block.radiance = block.radiance + path_light(view, radiance) * at.weight;
     block.weights = block.weights + at.weight;
     return block;
 }

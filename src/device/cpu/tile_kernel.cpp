@@ -57,6 +57,11 @@ struct StoredRays {
         } else {
             ray = camera_ray(view.frame, x, y);
             shown = mask_and(in_image, ray.t_max > ray.t_min);
+            if (view.frame.lens_radius > 0) {
+                const word pixel =
+                    hash_word(hash_word(word(std::bit_cast<vuint>(pixels.x))) + word(std::bit_cast<vuint>(pixels.y)));
+                ray = lens_ray(view.frame, ray, sample_pair(PathSample{pixel, word(sample)}, word(1U)));
+            }
         }
         if (frame.camera_normal != NONE) bend_rays(view, frame.camera_normal, x, y, ray);
         FirstHit hit;

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const override { return buffers_ ? buffers_->memory_bytes() : 0; }
 
     RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
+        if (frame.params.integrator != kernel::INTEGRATOR_WHITTED)
+            throw DeviceError("path tracing and ambient occlusion are what only the CPU does; use --device cpu");
         if (!buffers_) throw DeviceError("no scene was loaded");
         RenderStats stats;
         if (work.sample_count == 0) return stats;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "import/obj/mtl_model.h"
 #include "import/obj/mtl_texture.h"
 
 namespace sundog::import {
@@ -13,10 +14,10 @@ namespace {
 
 using scene::Material;
 
-constexpr std::array<std::string_view, 28> kStatements = {
-    "newmtl", "Ka",    "Kd",     "Ks",     "Ke",     "Tf",         "Ns",        "Ni",         "d",        "Tr",
-    "illum",  "Pr",    "Pm",     "Pc",     "map_Kd", "map_Ks",     "map_Ke",    "map_Bump",   "map_bump", "bump",
-    "norm",   "map_d", "map_Ka", "map_Tr", "map_Kn", "checker_Kd", "highlight", "map_opacity"};
+constexpr std::array<std::string_view, 29> kStatements = {
+    "newmtl", "Ka",    "Kd",     "Ks",     "Ke",     "Tf",         "Ns",        "Ni",          "d",        "Tr",
+    "illum",  "Pr",    "Pm",     "Pc",     "map_Kd", "map_Ks",     "map_Ke",    "map_Bump",    "map_bump", "bump",
+    "norm",   "map_d", "map_Ka", "map_Tr", "map_Kn", "checker_Kd", "highlight", "map_opacity", "bsdf"};
 
 /// Statements that other programs know and that mean nothing here: named once each.
 constexpr std::array<std::string_view, 18> kNotUsed = {"Ps",      "Pcr",    "aniso",  "anisor", "sharpness", "map_Ns",
@@ -146,6 +147,8 @@ private:
             checker(cursor);
         } else if (keyword == "highlight") {
             highlight(cursor);
+        } else if (keyword == "bsdf") {
+            m.model = read_reflection_model(cursor);
         }
         cursor.expect_end("the end of the line");
     }

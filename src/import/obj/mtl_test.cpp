@@ -67,6 +67,23 @@ TEST_F(Mtl, ReadsEachStatement) {
     EXPECT_TRUE(warnings_.texts.empty()) << warnings_.texts.front();
 }
 
+// Catches a model whose numbers are read in another order, and names that are let through.
+TEST_F(Mtl, ReadsReflectionModels) {
+    using Kind = scene::ReflectionModel::Kind;
+    const scene::Material ward = material("bsdf ward 0.1 0.4\n");
+    ASSERT_TRUE(ward.mtl->model.has_value());
+    EXPECT_EQ(ward.mtl->model->kind, Kind::ward);
+    EXPECT_EQ(ward.mtl->model->first, 0.1F);
+    EXPECT_EQ(ward.mtl->model->second, 0.4F);
+    const scene::Material gold = material("bsdf ggx 0.2 0.3 gold\n");
+    ASSERT_TRUE(gold.mtl->model.has_value());
+    EXPECT_GT(gold.mtl->model->n.z, gold.mtl->model->n.x) << "gold swallows blue";
+    EXPECT_NEAR(material("bsdf oren-nayar 90\n").mtl->model->first, 1.5707963F, 1e-6F);
+    EXPECT_EQ(error_of("bsdf wards 1 1\n"), "2:6: unknown reflection model 'wards'");
+    EXPECT_EQ(error_of("bsdf ggx 0.2 0.3 golt\n"), "2:18: unknown metal 'golt'");
+    EXPECT_EQ(error_of("bsdf glass 3\n"), "2:12: a number out of its range in 'bsdf glass roughness'");
+}
+
 // Catches the wrong matrix: D65 white in XYZ is white, and colours outside of RGB don't turn negative.
 TEST_F(Mtl, ConvertsXyz) {
     const Vec3 white = material("Kd xyz 0.9505 1 1.089\n").mtl->diffuse;

@@ -4,7 +4,9 @@
 #define SUNDOG_KERNEL_INTEGRATORS_NESTED_H
 
 #include "kernel/integrators/path.h"
+#include "kernel/integrators/surface_met.h"
 #include "kernel/lights/shadow.h"
+#include "kernel/materials/spectrum.h"
 
 KERNEL_BEGIN
 
@@ -29,32 +31,6 @@ FN_LARGE real3 exponent_radiance(SCENE PathState path, Surface s, Lobes lobes, m
     real per_exponent = 1.0f / lobes.exponent;
     real3 answer = real3(power(seen.x, per_exponent), power(seen.y, per_exponent), power(seen.z, per_exponent));
     return select(bent, weight * answer, black);
-}
-
-/// Share of a colour's light between the violet end of the spectrum and a place in it, 0 to 1: a parabola around
-/// `middle`. The parabolas were fitted to povray's pictures.
-FN float spectrum_share(float place, float middle, float reach) {
-    float x = min(max((place - middle) / reach, -1.0f), 1.0f);
-    return 0.5f + 0.75f * x - 0.25f * x * x * x;
-}
-
-/// The same of red, green and blue.
-FN vec3 spectrum_shares(float place) {
-    float red = 0.959f * spectrum_share(place, 0.783f, 0.24f) + 0.041f * spectrum_share(place, 0.078f, 0.097f);
-    return vec3(red, spectrum_share(place, 0.582f, 0.26f), spectrum_share(place, 0.258f, 0.279f));
-}
-
-/// The colour of sample `index` of `count` that the spectrum is cut into; they add up to white.
-FN vec3 spectrum_color(uint index, uint count) {
-    vec3 before = index == 0u ? vec3(0.0f) : spectrum_shares(float(index) / float(count));
-    vec3 after = index + 1u == count ? vec3(1.0f) : spectrum_shares(float(index + 1u) / float(count));
-    return after - before;
-}
-
-/// Which lanes of `transmits` pass into or out of what disperses light.
-FN mask disperses(SCENE Surface s, Lobes lobes, mask transmits) {
-    word interior = interior_of(SCENE_ s, mask_and(transmits, lobes.patterned));
-    return mask_and(transmits, abs(FIELD(interiors, interior, dispersion) - 1.0f) > real(0.0f));
 }
 
 /// What passes through the surface in the lanes of `split`, one colour after the other.

@@ -20,6 +20,7 @@
 #include "kernel/lights/direct.h"
 #include "kernel/lights/emitter.h"
 #include "kernel/materials/bsdf_material.h"
+#include "kernel/materials/spectrum.h"
 #include "kernel/sequences.h"
 
 KERNEL_BEGIN
@@ -32,6 +33,8 @@ struct TracedPath {
     word kind;      ///< RAY_*
     real density;   ///< Over solid angle, with which the ray's direction was drawn; 0: it was the only one.
     PathSample sample;
+    real spectrum;  ///< If FEATURE_DISPERSION: the place in the spectrum by which it is refracted,
+    mask colored;   ///< and where it has been, so that it has that colour.
     Insides insides;
     MediaInsides media;
     mask alive;
@@ -46,6 +49,9 @@ FN TracedPath begun_path(SCENE Ray ray, PathSample sample, mask alive) {
     path.kind = word(RAY_CAMERA);
     path.density = real(0.0f);
     path.sample = sample;
+    path.spectrum = real(0.5f);
+    path.colored = mask(false);
+    if (FEATURE(FEATURE_DISPERSION)) path.spectrum = sample_pair(sample, word(2u)).x;
     path.insides = insides_of_eye(SCENE_ alive);
     path.media = eye_insides(SCENE_ alive);
     path.alive = alive;
@@ -64,6 +70,8 @@ FN void take_path(mask m, TracedPath other, INOUT(TracedPath) path) {
     path.density = select(m, other.density, path.density);
     path.sample.pixel = select(m, other.sample.pixel, path.sample.pixel);
     path.sample.index = select(m, other.sample.index, path.sample.index);
+    path.spectrum = select(m, other.spectrum, path.spectrum);
+    path.colored = select_mask(m, other.colored, path.colored);
     path.insides.inner = select(m, other.insides.inner, path.insides.inner);
     path.insides.outer = select(m, other.insides.outer, path.insides.outer);
     for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u)
@@ -410,6 +418,12 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
             next.direction = select(through, select(bends, normalize(refracted), incoming), next.direction);
             next.origin = select(through, s.position - s.geometric_normal * s.error, next.origin);
             carried = select(through, lobes.transmittance * (1.0f / max(scatter.through, real(1e-30f))), carried);
+            if (FEATURE(FEATURE_DISPERSION)) {
+                mask splits = disperses(SCENE_ s, lobes, mask_and(through, lobes.patterned));
+                splits = mask_and(splits, mask_not(path.colored));
+                carried = select(splits, carried * spectrum_light(path.spectrum), carried);
+                path.colored = mask_or(path.colored, splits);
+            }
             if (FEATURE(FEATURE_PATTERNED)) {
                 path.insides.inner = select(through, crossing.behind.inner, path.insides.inner);
                 path.insides.outer = select(through, crossing.behind.outer, path.insides.outer);
@@ -440,7 +454,13 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
     mask away = mask_and(own, dot(s.normal, path.ray.direction) > real(-1e-3f));
     s.normal = select(away, s.geometric_normal, s.normal);
     ShadingFrame around = frame_around(s.normal);
-    point = bsdf_at(SCENE_ s, own, around);
+    point = bsdf_at(SCENE_ s, own, path.spectrum, around);
+    if (FEATURE(FEATURE_DISPERSION)) {
+        mask splits = mask_and(own, FIELD(bsdfs, scatter.model, dispersion) > real(0.0f));
+        splits = mask_and(splits, mask_not(path.colored));
+        path.weight = select(splits, path.weight * spectrum_light(path.spectrum), path.weight);
+        path.colored = mask_or(path.colored, splits);
+    }
     frame.x = select(own, around.x, frame.x);
     frame.y = select(own, around.y, frame.y);
     frame.z = select(own, around.z, frame.z);
@@ -497,8 +517,8 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     LayerColors layered;
     Crossing crossing;
     real3 smooth_normal;
-    real3 dimmed =
-        surface_met(SCENE_ path.ray, hit, path.insides, real(0.5f), found, s, lobes, layered, crossing, smooth_normal);
+    real3 dimmed = surface_met(SCENE_ path.ray, hit, path.insides, path.spectrum, found, s, lobes, layered, crossing,
+                               smooth_normal);
     path.weight = path.weight * dimmed;
     if (FRAME.aovs != 0u) {
         mask is_first = mask_and(found, path.vertices == word(0u));

@@ -32,6 +32,12 @@ FN real3 surface_met(SCENE Ray ray, Hit hit, Insides insides, real spectrum, mas
     return passes;
 }
 
+/// Which lanes of `transmits` pass into or out of what disperses light.
+FN mask disperses(SCENE Surface s, Lobes lobes, mask transmits) {
+    word interior = interior_of(SCENE_ s, mask_and(transmits, lobes.patterned));
+    return mask_and(transmits, abs(FIELD(interiors, interior, dispersion) - 1.0f) > real(0.0f));
+}
+
 KERNEL_END
 
 #endif

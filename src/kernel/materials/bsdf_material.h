@@ -68,8 +68,15 @@ FN real3 bsdf_color(SCENE Surface s, word model) {
 /// Facets so smooth that they count as mirrors would have densities beyond single precision.
 const float LEAST_ALPHA = 1e-3f;
 
+/// A model's index of refraction at a place in the spectrum, 0.5 for all colours together (KHR_materials_dispersion).
+FN real bsdf_ior(SCENE word model, real spectrum) {
+    real ior = FIELD(bsdfs, model, ior);
+    if (!FEATURE(FEATURE_DISPERSION)) return ior;
+    return ior + (ior - 1.0f) * FIELD(bsdfs, model, dispersion) * (0.5f - spectrum) * 0.05f;
+}
+
 /// Lanes of kind BSDF_PRINCIPLED.
-FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color, INOUT(ShadingFrame) frame) {
+FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color, real ior, INOUT(ShadingFrame) frame) {
     Principled p;
     word maps = FIELD(bsdfs, model, maps);
     mask mapped = mask_and(here, maps != word(NONE));
@@ -128,7 +135,6 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
     p.alpha_y = max(wide, real(LEAST_ALPHA));
     p.roughness = sqrt(sqrt(p.alpha_x * p.alpha_y));
     p.coat_alpha = max(coat_roughness * coat_roughness, real(LEAST_ALPHA));
-    real ior = FIELD(bsdfs, model, ior);
     p.eta = select(mask_and(s.from_behind, mask_not(p.thin)), ior, 1.0f / ior);
     real root = (ior - 1.0f) / (ior + 1.0f);
     real3 dielectric = min(specular_color * (root * root), real3(real(1.0f))) * specular;
@@ -149,8 +155,9 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
     return p;
 }
 
-/// The models of the lanes `here`; their frame's x is turned to where a surface is brushed along.
-FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, INOUT(ShadingFrame) frame) {
+/// The models of the lanes `here`, for light at a place in the spectrum; their frame's x is turned to where a surface
+/// is brushed along.
+FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) frame) {
     word model = valid_index(here, FIELD(materials, s.material, bsdf));
     BsdfPoint p;
     p.color = bsdf_color(SCENE_ s, model);
@@ -158,9 +165,9 @@ FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, INOUT(ShadingFrame) frame
     p.alpha_y = FIELD(bsdfs, model, alpha_y);
     p.n = FIELD(bsdfs, model, n);
     p.k = FIELD(bsdfs, model, k);
-    real ior = FIELD(bsdfs, model, ior);
+    real ior = bsdf_ior(SCENE_ model, spectrum);
     p.eta = select(s.from_behind, ior, 1.0f / ior);
-    p.principled = principled_at(SCENE_ s, model, here, p.color, frame);
+    p.principled = principled_at(SCENE_ s, model, here, p.color, ior, frame);
     return p;
 }
 

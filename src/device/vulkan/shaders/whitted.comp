@@ -7,6 +7,7 @@
 #include "device/vulkan/shaders/scene.glsl"
 #include "device/vulkan/shaders/trace.glsl"
 #include "kernel/integrators/whitted.h"
+#include "kernel/cameras/lens.h"
 #include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 
@@ -39,6 +40,10 @@ void main() {
             PixelSample at = pixel_sample(frame.sampling, uint(corner.x), uint(corner.y), index);
             vec2 place = (corner + vec2(at.x, at.y)) * per_pixel;
             Ray ray = camera_ray(frame, place.x, place.y);
+            if (frame.lens_radius > 0.0f) {
+                uint pixel_hash = hash_word(hash_word(uint(corner.x)) + uint(corner.y));
+                ray = lens_ray(frame, ray, sample_pair(PathSample(pixel_hash, index), 1u));
+            }
             FirstHit first;
             sum += vec4(whitted_radiance(ray, ray.t_max > ray.t_min, counts, first) * at.weight, at.weight);
             if (frame_aovs != 0u && index == 0u) {
