@@ -73,12 +73,13 @@ Size parse_size(std::string_view text) {
     return {*width, *height};
 }
 
-Pixel parse_pixel(std::string_view text) {
+Pixel parse_pixel(std::string_view text, std::string_view option) {
     const auto halves = split(text, ",");
     const auto x = halves ? number<int>(halves->left) : std::nullopt;
     const auto y = halves ? number<int>(halves->right) : std::nullopt;
     if (!x || !y || *x < 0 || *y < 0)
-        fail("--pixel", text, "expected x,y counted from 0 at the upper left", "for example --pixel 320,240");
+        fail(option, text, "expected x,y counted from 0 at the upper left",
+             "for example " + std::string(option) + " 320,240");
     return {*x, *y};
 }
 

@@ -28,7 +28,7 @@ struct Pixel {
     int x = 0, y = 0;
 };
 /// "120,45"
-Pixel parse_pixel(std::string_view text);
+Pixel parse_pixel(std::string_view text, std::string_view option = "--pixel");
 
 /// Numbers of the first and last frame, both included.
 struct FrameRange {

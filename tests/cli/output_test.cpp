@@ -173,7 +173,7 @@ TEST(Output, OptionsReachThePicture) {
     EXPECT_TRUE(plain != blurred);
     EXPECT_TRUE(blurred != picture({"--aperture", "0.3", "--focus", "3"}));
     EXPECT_TRUE(blurred != picture({"--aperture", "0.3", "--focus", "8", "--blades", "5"}));
-    EXPECT_TRUE(blurred != picture({"--aperture", "0.3", "--focus-pixel", "10,10"}));
+    EXPECT_TRUE(blurred != picture({"--aperture", "0.3", "--focus-pixel", "32,40"}));
     EXPECT_TRUE(plain == picture({"--tone-map", "linear"}));
     EXPECT_TRUE(plain == picture({"--white-balance", "6504"}));
     const std::string mapped = picture({"--tone-map", "agx"});

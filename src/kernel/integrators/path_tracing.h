@@ -277,6 +277,8 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
                            mask ends, mask asked, INOUT(RayCounts) counts) {
     real3 black = real3(real(0.0f));
     EmitterChoice choice = choose_emitter(SCENE_ pick);
+    // Where further rays start from, too: both ways of finding a place have to see it from one point.
+    real3 from = s.position + s.geometric_normal * s.error;
     EmitterSample drawn;
     drawn.to_light = s.normal;
     drawn.distance = real(3.0e38f);
@@ -284,7 +286,7 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
     drawn.density = real(1.0f);
     mask on_triangle = mask_and(asked, choice.kind == word(EMITTER_TRIANGLE));
     if (any_lane(on_triangle)) {
-        EmitterSample sample = sample_triangle(SCENE_ choice, s.position, u, on_triangle);
+        EmitterSample sample = sample_triangle(SCENE_ choice, from, u, on_triangle);
         drawn.to_light = select(on_triangle, sample.to_light, drawn.to_light);
         drawn.distance = select(on_triangle, sample.distance, drawn.distance);
         drawn.radiance = select(on_triangle, sample.radiance, drawn.radiance);
@@ -293,7 +295,7 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
     if (FEATURE(FEATURE_ANALYTIC)) {
         mask on_sphere = mask_and(asked, choice.kind == word(EMITTER_SPHERE));
         if (any_lane(on_sphere)) {
-            EmitterSample sample = sample_sphere(SCENE_ choice, s.position, u, on_sphere);
+            EmitterSample sample = sample_sphere(SCENE_ choice, from, u, on_sphere);
             drawn.to_light = select(on_sphere, sample.to_light, drawn.to_light);
             drawn.distance = select(on_sphere, sample.distance, drawn.distance);
             drawn.radiance = select(on_sphere, sample.radiance, drawn.radiance);
@@ -327,7 +329,7 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
             if (FEATURE(FEATURE_BACKLIT | FEATURE_BSDF)) off = select(behind, -off, off);
             Ray shadow;
             shadow.origin = s.position + off;
-            real3 place = s.position + drawn.to_light * select(to_environment, real(0.0f), drawn.distance);
+            real3 place = from + drawn.to_light * select(to_environment, real(0.0f), drawn.distance);
             real3 to_place = place - shadow.origin;
             real away = length(to_place);
             shadow.t_min = real(0.0f);
