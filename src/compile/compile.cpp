@@ -35,7 +35,7 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
     }
     out.texels.reserve(total);
     for (const scene::Texture& t : scene.textures) out.texels.insert(out.texels.end(), t.rgba8.begin(), t.rgba8.end());
-    out.srgb_to_linear.assign(linear_of_srgb8().begin(), linear_of_srgb8().end());
+    out.linear_values.assign(linear_of_srgb8().begin(), linear_of_srgb8().end());
 }
 
 /// The material's reflection model, if it has one, as the last of them.

@@ -91,9 +91,9 @@ TEST(Compile, AnEmptySceneHasNoEmptyArrays) {
 #undef KERNEL_ARRAYS_SCENE_ONLY
     EXPECT_EQ(compiled->features, 0U);
     EXPECT_TRUE(compiled->bounds.empty());
-    EXPECT_EQ(compiled->srgb_to_linear.size(), 256U);
-    EXPECT_EQ(compiled->srgb_to_linear[255], 1);
-    EXPECT_NEAR(compiled->srgb_to_linear[128], 0.2158605F, 1e-6F);
+    EXPECT_EQ(compiled->linear_values.size(), 256U);
+    EXPECT_EQ(compiled->linear_values[255], 1);
+    EXPECT_NEAR(compiled->linear_values[128], 0.2158605F, 1e-6F);
 }
 
 // Catches planes that are not normalised or that name another geometry than their own.

@@ -41,6 +41,11 @@ double scene_radius(const RenderScene& scene) {
     return radius > 0 && std::isfinite(radius) ? radius : 1;
 }
 
+Vec3 environment_pixel(const RenderScene& scene, std::size_t number) {
+    const float* const at = &scene.linear_values[kernel::ENVIRONMENT_FIRST + 3 * number];
+    return {at[0], at[1], at[2]};
+}
+
 /// Mean luminance of the environment over all directions.
 double mean_radiance(const RenderScene& scene) {
     const kernel::Environment& e = scene.environment;
@@ -48,7 +53,7 @@ double mean_radiance(const RenderScene& scene) {
     for (std::uint32_t y = 0; y < e.height; ++y) {
         const double sine = std::sin((y + 0.5) / e.height * kPiExact);
         for (std::uint32_t x = 0; x < e.width; ++x) {
-            sum += sine * luminance(to_vec(scene.environment_pixels[std::size_t{y} * e.width + x]));
+            sum += sine * luminance(environment_pixel(scene, std::size_t{y} * e.width + x));
             weight += sine;
         }
     }
@@ -100,10 +105,10 @@ void compile_environment(const scene::Environment& environment, RenderScene& out
     e.gain = environment.gain;
     e.cells_wide = std::min(e.width, kMostCells);
     e.cells_high = std::min(e.height, kMostCells / 2);
-    std::vector<kernel::vec3>& picture = out.environment_pixels;
-    picture.clear();
-    picture.reserve(environment.radiance.size());
-    for (const Vec3& pixel : environment.radiance) picture.push_back(to_kernel(pixel));
+    out.linear_values.resize(kernel::ENVIRONMENT_FIRST);
+    out.linear_values.reserve(kernel::ENVIRONMENT_FIRST + 3 * environment.radiance.size());
+    for (const Vec3& pixel : environment.radiance)
+        out.linear_values.insert(out.linear_values.end(), {pixel.x, pixel.y, pixel.z});
 
     const std::size_t cells = std::size_t{e.cells_wide} * e.cells_high;
     std::vector<double> weights(cells, 0.0);

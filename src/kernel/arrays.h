@@ -17,7 +17,8 @@ KERNEL_ARRAY(Geometry, geometries, 9)
 KERNEL_ARRAY(Material, materials, 10)
 KERNEL_ARRAY(TextureInfo, textures, 11)
 KERNEL_ARRAY(uint, texels, 12)
-KERNEL_ARRAY(float, srgb_to_linear, 13)  // 256 entries
+// What 8-bit sRGB stands for, 256 values; then the environment's picture, three a pixel.
+KERNEL_ARRAY(float, linear_values, 13)
 KERNEL_ARRAY(PatternedMaterial, patterned, 16)
 KERNEL_ARRAY(Layer, layers, 17)
 KERNEL_ARRAY(uint, code, 18)
@@ -25,7 +26,6 @@ KERNEL_ARRAY(Fog, fogs, 19)
 KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 KERNEL_ARRAY(Interior, interiors, 21)
 KERNEL_ARRAY(MaterialMaps, material_maps, 22)
-KERNEL_ARRAY(vec3, environment_pixels, 31)
 #ifdef __cplusplus
 KERNEL_ARRAY(EnvironmentCell, environment_cells, 32)
 KERNEL_ARRAY(Bsdf, bsdfs, 34)

@@ -44,14 +44,13 @@ KERNEL_CONST uint LIGHT_CYLINDER = 3u;  ///< Within a cylinder around Light::axi
 /// Light::flags.
 KERNEL_CONST uint LIGHT_SHADOWS = 1u;
 KERNEL_CONST uint LIGHT_HIGHLIGHTS = 2u;
-KERNEL_CONST uint LIGHT_CIRCULAR = 4u;      ///< An area's grid is bent to a disc.
-KERNEL_CONST uint LIGHT_ORIENT = 8u;        ///< An area turns to face the lit point.
-KERNEL_CONST uint LIGHT_JITTER = 16u;       ///< An area's lights are moved about within their cells.
-KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;  ///< An area lights from all of its lights, not only from its middle.
-KERNEL_CONST uint LIGHT_ATTENUATED = 256u;  ///< Fog and the atmosphere's media dim it on its way.
-/// Paths meet it, so what bends light stands in its way.
-KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;
+KERNEL_CONST uint LIGHT_CIRCULAR = 4u;        ///< An area's grid is bent to a disc.
+KERNEL_CONST uint LIGHT_ORIENT = 8u;          ///< An area turns to face the lit point.
+KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved about within their cells.
+KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
+KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
+KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;  ///< Paths meet it, so what bends light stands in its way.
 
 /// What a light does with photons; see Geometry::photons.
 KERNEL_CONST uint LIGHT_PHOTONS_REFRACT = 1024u;
@@ -92,6 +91,9 @@ KERNEL_CONST uint CAMERA_OMNIMAX = 4u;
 KERNEL_CONST uint CAMERA_PANORAMIC = 5u;
 KERNEL_CONST uint CAMERA_CYLINDER = 6u;  ///< 6 to 9: types 1 to 4
 KERNEL_CONST uint CAMERA_SPHERICAL = 10u;
+
+/// Where the environment's pixels begin in `linear_values`.
+KERNEL_CONST uint ENVIRONMENT_FIRST = 256u;
 
 /// FrameParams::integrator.
 KERNEL_CONST uint INTEGRATOR_WHITTED = 0u;
@@ -549,7 +551,7 @@ struct EnvironmentCell {
 /// What is around the scene, infinitely far away: see kernel/atmosphere/environment.h.
 struct Environment {
     vec3 up, middle, right;       ///< Unit: the axis, the direction of the picture's middle, and that to its right.
-    uint width, height;           ///< Of the picture, in `environment_pixels`.
+    uint width, height;           ///< Of the picture, in `linear_values`.
     uint cells_wide, cells_high;  ///< Of the grid by which directions are drawn, in `environment_cells`.
     float gain;
     float probability;  ///< With which it is drawn among the emitters.

@@ -17,6 +17,12 @@ FN real2 environment_place(SCENE real3 direction, OUT(real) sin_axis) {
     return real2(0.5f + angle_of(aside, ahead) * 0.159154943f, angle_of(sin_axis, up) * 0.318309886f);
 }
 
+/// One of its pixels, row by row.
+FN real3 environment_pixel(SCENE word number) {
+    word at = word(ENVIRONMENT_FIRST) + number * word(3u);
+    return real3(GET(linear_values, at), GET(linear_values, at + word(1u)), GET(linear_values, at + word(2u)));
+}
+
 /// Its radiance there, between the middles of pixels.
 FN real3 environment_radiance(SCENE real3 direction) {
     real sin_axis;
@@ -34,8 +40,8 @@ FN real3 environment_radiance(SCENE real3 direction) {
     word right = word_from_real(select(x0 + 1.0f >= real(w), x0 + 1.0f - w, x0 + 1.0f));
     word top = word_from_real(y0) * word(FRAME.environment.width);
     word bottom = top + word(FRAME.environment.height > 1u ? FRAME.environment.width : 0u);
-    real3 upper = mix(GET(environment_pixels, top + left), GET(environment_pixels, top + right), fx);
-    real3 lower = mix(GET(environment_pixels, bottom + left), GET(environment_pixels, bottom + right), fx);
+    real3 upper = mix(environment_pixel(SCENE_ top + left), environment_pixel(SCENE_ top + right), fx);
+    real3 lower = mix(environment_pixel(SCENE_ bottom + left), environment_pixel(SCENE_ bottom + right), fx);
     return mix(upper, lower, fy) * real(FRAME.environment.gain);
 }
 
