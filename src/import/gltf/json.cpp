@@ -249,9 +249,10 @@ std::vector<SourceLocation> Json::element_locations() const {
     const std::string_view text = document_->source_.text;
     std::uint32_t line = 1;
     std::size_t line_start = 0;
+    std::size_t seen = 0;
     for (const std::size_t place : element_places(text, place_of(text, steps), size())) {
-        for (std::size_t newline = text.find('\n', line_start); newline < place; newline = text.find('\n', line_start))
-            ++line, line_start = newline + 1;
+        for (; seen < place; ++seen)
+            if (text[seen] == '\n') ++line, line_start = seen + 1;
         locations.push_back({document_->source_.name, line, static_cast<std::uint32_t>(place - line_start) + 1});
     }
     return locations;
