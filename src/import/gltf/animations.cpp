@@ -26,8 +26,7 @@ std::optional<Target> target_of(Asset& asset, const Json& channel) {
     const Json path = target.required("path");
     const std::string_view name = path.string();
     if (name != "translation" && name != "rotation" && name != "scale" && name != "weights") {
-        asset.warn_once("path " + std::string(name),
-                        path.warning("animations of " + in_quotes(name) + " are not played"));
+        asset.warn_once("path " + std::string(name), path, "animations of " + in_quotes(name) + " are not played");
         return std::nullopt;
     }
     if (!node) return std::nullopt;
@@ -88,8 +87,8 @@ WeightTracks read_animations(Asset& asset, NodeGraph& graph) {
         const bool taken =
             std::any_of(targets.begin(), targets.end(), [&](const auto& t) { return t && moved.contains(*t); });
         if (taken) {
-            asset.warn_once("animations",
-                            animations[i].warning("the animation moves what an earlier one does, and is not played"));
+            asset.warn_once("animations", animations[i],
+                            "the animation moves what an earlier one does, and is not played");
             continue;
         }
         for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -104,7 +103,7 @@ WeightTracks read_animations(Asset& asset, NodeGraph& graph) {
             const std::size_t width = weights ? weight_count(asset, node_json) : target.path == "rotation" ? 4 : 3;
             if (width == 0) continue;
             if (!weights && node_json.member("matrix")) {
-                asset.warn_once("matrix", channels[c].warning("a node that is placed by a matrix can't be animated"));
+                asset.warn_once("matrix", channels[c], "a node that is placed by a matrix can't be animated");
                 continue;
             }
             KeyframeTrack track = read_track(asset, sampler, width, weights);

@@ -76,7 +76,8 @@ void Asset::check_extensions() {
     const Json used = list("extensionsUsed");
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (is_known(used[i].string())) continue;
-        warn(used[i].warning("the extension " + in_quotes(used[i].string()) + " is not read"));
+        warn_once(std::string(used[i].string()), used[i],
+                  "the extension " + in_quotes(used[i].string()) + " is not read");
     }
 }
 

@@ -50,9 +50,11 @@ public:
     void warn(const Diagnostic& diagnostic) const {
         if (warn_) warn_(diagnostic);
     }
-    /// Says it only once for each key.
-    void warn_once(const std::string& key, const Diagnostic& diagnostic) {
-        if (said_.insert(key).second) warn(diagnostic);
+    /// Warns of a value, once for each key, and of a hundred at most: finding a value's place takes as long as the
+    /// file.
+    void warn_once(const std::string& key, const Json& at, const std::string& message, std::string hint = {}) {
+        constexpr std::size_t kMost = 100;
+        if (said_.size() < kMost && said_.insert(key).second) warn(at.warning(message, std::move(hint)));
     }
 
     /// The bytes of a buffer, as many as it says, read when first asked for.

@@ -70,7 +70,7 @@ scene::TextureUse TextureReader::read(const Json& info, TextureMeaning meaning) 
     if (!info) return use;
     const std::size_t number = info.required_index("index", asset_.list("textures").size(), "textures");
     const Json texture = asset_.list("textures")[number];
-    use.texture = picture(texture, meaning);
+    use.texture = picture(number, meaning);
     if (use.texture == scene::kNone) return use;
     const Json transform = info.extension("KHR_texture_transform");
     set_transform(transform, use);
@@ -93,7 +93,8 @@ void TextureReader::read_sampler(const Json& texture, scene::TextureUse& use) {
     use.nearest = filter && filter.whole() == 9728;
 }
 
-scene::Index TextureReader::picture(const Json& texture, TextureMeaning meaning) {
+scene::Index TextureReader::picture(std::size_t number, TextureMeaning meaning) {
+    const Json texture = asset_.list("textures")[number];
     const std::size_t count = asset_.list("images").size();
     const auto source = texture.index_or_none("source", count, "images");
     if (source) return load(*source, meaning);
@@ -102,8 +103,8 @@ scene::Index TextureReader::picture(const Json& texture, TextureMeaning meaning)
         if (texture.extension(std::string(name).c_str()))
             why = "the texture's only picture is one of " + std::string(name);
     const bool shown = meaning == TextureMeaning::color;
-    asset_.warn_once(texture.path(),
-                     texture.warning(why, shown ? "a checker of magenta and black stands in" : "the map is left off"));
+    asset_.warn_once("texture " + std::to_string(number) + (shown ? "" : " as data"), texture, why,
+                     shown ? "a checker of magenta and black stands in" : "the map is left off");
     return shown ? scene::missing_texture(asset_.scene()) : scene::kNone;
 }
 
@@ -115,7 +116,7 @@ scene::Index TextureReader::load(std::size_t image, TextureMeaning meaning) {
     const Json json = asset_.list("images")[image];
     scene::Texture texture;
     texture.srgb = srgb;
-    texture.where = json.location();
+    texture.where = places_[image];
     texture.name = json.string_or("name", "images[" + std::to_string(image) + "]");
     std::string fault;
     if (const auto other = known_.find(key ^ 1U); other != known_.end() && other->second != scene::kNone &&
@@ -153,9 +154,8 @@ scene::Index TextureReader::load(std::size_t image, TextureMeaning meaning) {
         index = static_cast<scene::Index>(scene.textures.size());
         scene.textures.push_back(std::move(texture));
     } else {
-        asset_.warn_once(
-            json.path() + (srgb ? "" : " "),
-            json.warning(fault, srgb ? "a checker of magenta and black stands in" : "the map is left off"));
+        asset_.warn_once("image " + std::to_string(key), json, fault,
+                         srgb ? "a checker of magenta and black stands in" : "the map is left off");
         if (srgb) index = scene::missing_texture(scene);
     }
     known_.emplace(key, index);

@@ -49,7 +49,7 @@ Diagnostic diagnose_at(Severity severity, const SourceText& source, std::size_t 
 }
 
 /// Most levels of values in values: far more than any file has, and few enough for find_steps' recursion.
-constexpr int kMostLevels = 200;
+constexpr std::size_t kMostLevels = 200;
 
 /// What the parser says, without what a Diagnostic says anyway.
 std::string plain_message(const nlohmann::json::exception& error) {
@@ -66,13 +66,11 @@ std::string plain_message(const nlohmann::json::exception& error) {
 }
 
 Node parse(const SourceText& source) {
-    const auto check_level = [&](int depth, Node::parse_event_t, Node&) {
-        if (depth > kMostLevels)
-            fail_file(source.name, "the JSON text has more than " + std::to_string(kMostLevels) + " levels");
-        return true;
-    };
+    // Not by the parser's own callback, with which its time grows with the square of an array's length.
+    if (level_count(source.text) > kMostLevels)
+        fail_file(source.name, "the JSON text has more than " + std::to_string(kMostLevels) + " levels");
     try {
-        return Node::parse(source.text.begin(), source.text.end(), check_level);
+        return Node::parse(source.text.begin(), source.text.end());
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t at = error.byte > 0 ? error.byte - 1 : 0;
         throw InputError(diagnose_at(Severity::error, source, at, plain_message(error), {}));
@@ -249,9 +247,10 @@ std::vector<SourceLocation> Json::element_locations() const {
     const std::string_view text = document_->source_.text;
     std::uint32_t line = 1;
     std::size_t line_start = 0;
+    std::size_t seen = 0;
     for (const std::size_t place : element_places(text, place_of(text, steps), size())) {
-        for (std::size_t newline = text.find('\n', line_start); newline < place; newline = text.find('\n', line_start))
-            ++line, line_start = newline + 1;
+        for (; seen < place; ++seen)
+            if (text[seen] == '\n') ++line, line_start = seen + 1;
         locations.push_back({document_->source_.name, line, static_cast<std::uint32_t>(place - line_start) + 1});
     }
     return locations;

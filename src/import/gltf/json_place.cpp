@@ -118,6 +118,26 @@ std::size_t place_of(std::string_view text, const std::vector<JsonStep>& steps) 
     return walk.at();
 }
 
+std::size_t level_count(std::string_view text) {
+    std::size_t depth = 0;
+    std::size_t most = 0;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\') ++i;
+            else if (c == '"') in_string = false;
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '{' || c == '[') {
+            most = std::max(most, ++depth);
+        } else if ((c == '}' || c == ']') && depth > 0) {
+            --depth;
+        }
+    }
+    return most;
+}
+
 std::vector<std::size_t> element_places(std::string_view text, std::size_t array_at, std::size_t count) {
     JsonWalk walk(text, array_at);
     std::vector<std::size_t> places;

@@ -18,6 +18,9 @@ std::string path_text(const std::vector<JsonStep>& steps);
 /// Where in `text`, which is valid JSON, the value at the end of the steps begins; as far as they lead.
 std::size_t place_of(std::string_view text, const std::vector<JsonStep>& steps);
 
+/// How many arrays and objects lie within each other at most; of a text that need not be valid.
+std::size_t level_count(std::string_view text);
+
 /// Where each element of the array at `array_at` begins.
 std::vector<std::size_t> element_places(std::string_view text, std::size_t array_at, std::size_t count);
 

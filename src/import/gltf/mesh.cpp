@@ -22,10 +22,10 @@ std::size_t uv_set_of(Asset& asset, const Json& primitive, const scene::Material
         mixed = mixed || use->uv_set != first->uv_set;
     }
     if (mixed)
-        asset.warn_once("uv " + material.name,
-                        primitive.warning("the maps of material '" + material.name +
-                                              "' go by two sets of texture coordinates; all go by one",
-                                          "TEXCOORD_" + std::to_string(first->uv_set) + " is used"));
+        asset.warn_once(
+            "uv " + material.name, primitive,
+            "the maps of material '" + material.name + "' go by two sets of texture coordinates; all go by one",
+            "TEXCOORD_" + std::to_string(first->uv_set) + " is used");
     return first != nullptr ? first->uv_set : 0;
 }
 
@@ -108,7 +108,7 @@ MeshData MeshReader::read_mesh(const Json& json) {
         const std::size_t mode = primitive.whole_or("mode", kTriangles);
         if (mode > kTriangleFan) primitive.required("mode").fail("unknown mode", "0 to 6 are possible");
         if (mode < kTriangles) {
-            asset_.warn_once(kind_of(mode), primitive.warning(std::string(kind_of(mode)) + " are not drawn"));
+            asset_.warn_once(kind_of(mode), primitive, std::string(kind_of(mode)) + " are not drawn");
             continue;
         }
         const scene::Index material = material_of(primitive);

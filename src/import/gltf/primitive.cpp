@@ -65,8 +65,7 @@ std::vector<std::uint32_t> triangles_of(Asset& asset, const Json& primitive, std
     const std::size_t mode = primitive.whole_or("mode", kTriangles);
     if (mode == kTriangles) {
         if (indices.size() % 3 == 0) return indices;
-        asset.warn_once("odd corners",
-                        primitive.warning("the number of corners is no multiple of 3; the last are left off"));
+        asset.warn_once("odd corners", primitive, "the number of corners is no multiple of 3; the last are left off");
         indices.resize(indices.size() / 3 * 3);
         return indices;
     }
@@ -100,7 +99,7 @@ PrimitiveData read_primitive(Asset& asset, const Json& primitive, std::size_t uv
     const Json attributes = primitive.required("attributes");
     const Json positions = attributes.member("POSITION");
     if (!positions) {
-        asset.warn_once("no POSITION", attributes.warning("has no 'POSITION', and is not drawn"));
+        asset.warn_once("no POSITION", attributes, "has no 'POSITION', and is not drawn");
         return data;
     }
     // Quantized positions (KHR_mesh_quantization) may be whole numbers.
@@ -117,7 +116,7 @@ PrimitiveData read_primitive(Asset& asset, const Json& primitive, std::size_t uv
     data.targets = read_targets(asset, primitive.member("targets"), vertices, !data.normals.empty());
     data.corners = triangles_of(asset, primitive, read_indices(asset, primitive, vertices));
     if (attributes.member("COLOR_0"))
-        asset.warn_once("COLOR_0", attributes.member("COLOR_0").warning("colours of vertices are not used"));
+        asset.warn_once("COLOR_0", attributes.member("COLOR_0"), "colours of vertices are not used");
     return data;
 }
 

@@ -93,7 +93,8 @@ void read_camera_of(Asset& asset, const NodeGraph& graph) {
         scene::ProjectionCamera camera = read_camera(asset.list("cameras")[*index]);
         const float volume = std::abs(determinant(graph.world_from_node[node]));
         if (!(volume > 1e-30F) || !std::isfinite(volume) || !is_finite(graph.world_from_node[node].t)) {
-            asset.warn(graph.json(asset, node).warning("the camera's node is scaled to nothing, or out of the world"));
+            asset.warn_once("camera", graph.json(asset, node),
+                            "the camera's node is scaled to nothing, or out of the world");
             continue;
         }
         propose_size(static_cast<float>(length(camera.right) / length(camera.up)), asset.scene().settings);
@@ -107,12 +108,13 @@ void read_lights(Asset& asset, const NodeGraph& graph) {
     const Json extension = asset.root().extension("KHR_lights_punctual");
     if (!extension) return;
     const Json lights = extension.required("lights");
+    const std::vector<SourceLocation> places = lights.element_locations();
     for (scene::Index node = 0; node < graph.shown_count; ++node) {
         const Json use = graph.json(asset, node).extension("KHR_lights_punctual");
         if (!use) continue;
         const std::size_t index = use.required_index("light", lights.size(), "extensions.KHR_lights_punctual.lights");
         scene::Light light = read_light(lights[index]);
-        light.where = lights[index].location();
+        light.where = places[index];
         light.motion = motion_of(graph, node);
         const scene::Light placed = scene::placed_at(light, 0);
         if (!is_finite(placed.place) || !is_finite(placed.point_at))
