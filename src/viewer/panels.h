@@ -27,6 +27,7 @@ struct Controls {
     std::optional<int> max_depth;  ///< Where not set, the scene's.
     std::optional<bool> shadows;
     Exposure exposure;
+    bool denoise = false;
     bool show_rays = false;  ///< Where the picture is interpolated, what is traced is white.
     bool show_panels = true;
     bool show_help = false;
