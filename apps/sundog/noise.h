@@ -7,8 +7,8 @@
 
 namespace sundog::app {
 
-/// Filters a whole picture whose variance is known; its pixels keep their numbers of samples. Returns how many seconds
-/// that took.
+/// Filters a whole picture whose variance is known; its pixels keep their numbers of samples. Stopped, it stays as it
+/// is. Returns how many seconds that took.
 double remove_noise(Device& device, const Frame& frame, const StopFlag& stop, RenderResult& result);
 
 }  // namespace sundog::app

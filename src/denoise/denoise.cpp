@@ -32,7 +32,7 @@ void store(const TileLight& light, const Layout& layout, int tile_x, int tile_y,
 
 }  // namespace
 
-std::vector<Vec3> denoised(const NoisyPicture& picture) {
+std::vector<Vec3> denoised(const NoisyPicture& picture, const StopFlag& stop) {
     check(picture);
     const Layout layout(picture.width, picture.height);
     const std::vector<Vec3> by = divisors(picture);
@@ -40,11 +40,13 @@ std::vector<Vec3> denoised(const NoisyPicture& picture) {
     const Light noisy = light_of(picture, by, layout);
     std::vector<Vec3> out(picture.radiance.size());
     tbb::parallel_for(0, layout.tiles_x * layout.tiles_y, [&](int tile) {
+        if (stop.requested()) return;
         const int x = tile % layout.tiles_x, y = tile / layout.tiles_x;
         TileLight light;
         filter_tile(noisy, guides, layout, x, y, light);
         store(light, layout, x, y, out);
     });
+    if (stop.requested()) return {};
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] * by[i];
     return out;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/vec.h"
 
 namespace sundog::denoise {
@@ -24,7 +25,7 @@ struct NoisyPicture {
 /// Knaus and Zwicker 2012), limited by normals and depths (Rousselle, Manzi and Zwicker 2013); with them a plane in
 /// position and normal is laid through the values (first-order regression: Bitterli and others 2016). A single pixel
 /// that stands out by its noise alone is cut down to its neighbours before. Runs on all cores; the bits don't depend on
-/// how many. Errors: std::invalid_argument for planes of another size.
-std::vector<Vec3> denoised(const NoisyPicture& picture);
+/// how many. Empty where `stop` was requested. Errors: std::invalid_argument for planes of another size.
+std::vector<Vec3> denoised(const NoisyPicture& picture, const StopFlag& stop);
 
 }  // namespace sundog::denoise

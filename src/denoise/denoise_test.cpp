@@ -108,6 +108,8 @@ struct Picture {
     std::vector<float> depth;
 };
 
+std::vector<Vec3> denoised(const NoisyPicture& picture) { return denoise::denoised(picture, StopFlag{}); }
+
 // Catches a filter that leaves noise, or blurs what it should keep.
 TEST(Denoise, LowersTheErrorAtLeastFourfold) {
     Picture picture(128);
@@ -163,6 +165,15 @@ TEST(Denoise, OddPicturesComeBackFinite) {
     for (const Vec3 pixel : denoised(picture.planes())) ASSERT_TRUE(is_finite(pixel));
     const std::vector<Vec3> one{{0.5F, 0.25F, 2}};
     EXPECT_NEAR(denoised({.width = 1, .height = 1, .radiance = one, .variance = one})[0].z, 2, 1e-4);
+}
+
+// Catches a window that waits for a picture which nobody wants any more.
+TEST(Denoise, StopsWhenAsked) {
+    Picture picture(64);
+    picture.add_noise(2, 0.7F, 0);
+    StopFlag stop;
+    stop.request();
+    EXPECT_TRUE(denoise::denoised(picture.planes(), stop).empty());
 }
 
 // Catches planes that are read beyond their end.

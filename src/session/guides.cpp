@@ -15,6 +15,7 @@ Frame finer(const Frame& frame) {
     Frame out = frame;
     out.params.width *= kFiner;
     out.params.height *= kFiner;
+    out.params.integrator = kernel::INTEGRATOR_WHITTED;
     out.params.max_depth = 0;
     out.params.light_count = 0;
     out.params.sampling = {};

@@ -14,7 +14,7 @@ std::shared_ptr<const LoadedScene> empty_scene() {
 }
 
 ViewRequest fake_request(std::shared_ptr<const LoadedScene> scene, float eye_x, PixelSize size) {
-    ViewRequest request{std::move(scene), "cpu", {}, {}, false};
+    ViewRequest request{std::move(scene), "cpu", {}, {}, false, false};
     request.options.width = size.width;
     request.options.height = size.height;
     request.options.camera = kernel::Camera{{eye_x, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};

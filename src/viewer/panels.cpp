@@ -155,6 +155,9 @@ void main_panel(const Status& status, Controls& controls) {
     ImGui::SameLine();
     ImGui::Checkbox("Rays", &controls.show_rays);
     tooltip("Traced pixels white, where the CPU interpolates the others (R)");
+    ImGui::SameLine();
+    ImGui::Checkbox("Denoise", &controls.denoise);
+    tooltip("Take the noise out of the picture at rest, from 4 samples on");
     ImGui::PopItemWidth();
     if (!status.warnings.empty()) {
         ImGui::SameLine();

@@ -30,7 +30,8 @@ struct Controls {
     std::uint32_t integrator = kernel::INTEGRATOR_WHITTED;
     float lens_radius = 0;     ///< 0: a pinhole.
     float focus_distance = 0;  ///< To what is sharp; 0: not set yet.
-    bool show_rays = false;    ///< Where the picture is interpolated, what is traced is white.
+    bool denoise = false;
+    bool show_rays = false;  ///< Where the picture is interpolated, what is traced is white.
     bool show_panels = true;
     bool show_help = false;
     bool copied = false;  ///< Set when the user copied the command line; the caller says so and clears it.

@@ -13,7 +13,7 @@ namespace sundog::viewer {
 struct PickedPixel {
     int x = 0, y = 0;
     PixelInfo info;
-    bool hit = false;      ///< False: the sky; nothing below is set then.
+    bool hit = false;  ///< False: the sky; nothing below is set then.
     std::string object, object_place;
     std::string material, material_place;
     std::string replay;    ///< The command line that computes this pixel again.

@@ -2,6 +2,7 @@
 #include "viewer/picture_maker.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -10,6 +11,7 @@ namespace sundog::viewer {
 namespace {
 
 constexpr std::uint32_t kFewestSamplesSaved = 4;
+constexpr std::uint32_t kFewestSamplesCleaned = 4;
 /// Of grid refinement while things move (RefinedWork::tolerance).
 constexpr float kMovingTolerance = 0.1F;
 
@@ -29,10 +31,11 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 bool same_radiance(const ViewRequest& a, const ViewRequest& b) {
     const FrameOptions& p = a.options;
     const FrameOptions& q = b.options;
-    return a.scene == b.scene && a.device == b.device && a.show_rays == b.show_rays && p.width == q.width &&
-           p.height == q.height && p.time_s == q.time_s && p.max_depth == q.max_depth && p.min_weight == q.min_weight &&
-           p.shadows == q.shadows && p.far_z == q.far_z && p.integrator == q.integrator &&
-           p.lens_radius == q.lens_radius && p.focus_distance == q.focus_distance && same(p.camera, q.camera);
+    return a.scene == b.scene && a.device == b.device && a.show_rays == b.show_rays && a.denoise == b.denoise &&
+           p.width == q.width && p.height == q.height && p.time_s == q.time_s && p.max_depth == q.max_depth &&
+           p.min_weight == q.min_weight && p.shadows == q.shadows && p.far_z == q.far_z &&
+           p.integrator == q.integrator && p.lens_radius == q.lens_radius && p.focus_distance == q.focus_distance &&
+           same(p.camera, q.camera);
 }
 
 PictureMaker::PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples)
@@ -65,6 +68,7 @@ bool PictureMaker::render_quickly(const StopFlag& stop) {
     frame.params.aovs = refines ? refined_aovs() : 0;
     if (film_.bounds != bounds || film_.aovs != frame.params.aovs) film_ = Film(bounds, frame.params.aovs);
     film_is_current_ = false;
+    clean_.forget();
     film_is_traced_ = !refines;
     last_pass_ = refines ? session_->refine_into(frame, kMovingTolerance, std::exp2(request_.exposure.ev), film_, stop)
                          : session_->render_into(frame, 0, 1, film_, stop);
@@ -76,11 +80,23 @@ bool PictureMaker::render_quickly(const StopFlag& stop) {
     else if (refinable_) faster_way_.report_traced(last_pass_s_ / pixels);
     samples_ = 1;
     film_is_current_ = true;
+    if (request_.denoise && holds_full_size()) clean_.add_pass(film_);
     return true;
 }
 
 bool PictureMaker::refine(const StopFlag& stop) {
-    return request_.show_rays && refinable_ ? show_rays_at_full_size(stop) : trace_sample(stop);
+    if (request_.show_rays && refinable_) return show_rays_at_full_size(stop);
+    return cleaning_is_due() ? clean(stop) : trace_sample(stop);
+}
+
+bool PictureMaker::cleaning_is_due() const {
+    if (!request_.denoise || !holds_full_size() || clean_.samples() == samples_) return false;
+    // It takes as long as a few samples do: so after 4, 8, 16, … of them, and the last.
+    return samples_ >= kFewestSamplesCleaned && (std::has_single_bit(samples_) || samples_ >= max_samples_);
+}
+
+bool PictureMaker::clean(const StopFlag& stop) {
+    return clean_.clean(session_->device(), frame_of(full_size()), film_, samples_, stop);
 }
 
 bool PictureMaker::trace_sample(const StopFlag& stop) {
@@ -90,10 +106,12 @@ bool PictureMaker::trace_sample(const StopFlag& stop) {
         const RenderStats stats = session_->render_into(frame, samples_, 1, film_, stop);
         if (!stats.complete) {
             film_is_current_ = false;  // some pixels have the new sample, others don't
+            clean_.forget();
             return false;
         }
         last_pass_ = stats;
         ++samples_;
+        if (request_.denoise) clean_.add_pass(film_);
     } else {
         // Beside the reduced picture, which goes on showing if this is stopped.
         Film film(PixelRect{0, 0, full_size().width, full_size().height});
@@ -103,6 +121,8 @@ bool PictureMaker::trace_sample(const StopFlag& stop) {
         film_ = std::move(film);
         samples_ = 1;
         film_is_current_ = film_is_traced_ = true;
+        clean_.forget();
+        if (request_.denoise) clean_.add_pass(film_);
     }
     last_pass_s_ = seconds_since(begin);
     return true;
@@ -117,6 +137,7 @@ bool PictureMaker::show_rays_at_full_size(const StopFlag& stop) {
     last_pass_ = stats;
     last_pass_s_ = seconds_since(begin);
     film_ = std::move(film);
+    clean_.forget();
     samples_ = 1;
     film_is_current_ = true;
     film_is_traced_ = false;
@@ -132,7 +153,7 @@ std::uint32_t PictureMaker::most_samples() const {
 bool PictureMaker::can_refine() const {
     if (!ready()) return false;
     if (request_.show_rays && refinable_) return !holds_rays_at_full_size();
-    return !holds_full_size() || samples_ < most_samples();
+    return !holds_full_size() || samples_ < most_samples() || cleaning_is_due();
 }
 
 PixelInfo PictureMaker::pick(int x, int y) { return session_->pick(frame_of(full_size()), x, y); }
@@ -140,13 +161,16 @@ PixelInfo PictureMaker::pick(int x, int y) { return session_->pick(frame_of(full
 std::optional<output::Image> PictureMaker::full_image(const StopFlag& stop) {
     while (!holds_full_size() || samples_ < std::min(kFewestSamplesSaved, max_samples_))
         if (!trace_sample(stop)) return std::nullopt;
-    return to_image(film_, request_.exposure);
+    const bool denoise = request_.denoise && samples_ >= kFewestSamplesCleaned;
+    if (denoise && clean_.samples() != samples_ && !clean(stop)) return std::nullopt;
+    return to_image(denoise ? *clean_.film() : film_, request_.exposure);
 }
 
 void PictureMaker::show(Picture& picture) const {
     picture.size = {film_.bounds.width(), film_.bounds.height()};
     picture.argb.resize(film_.radiance.size());
-    to_display(film_, request_.exposure, picture.argb);
+    // While further samples come in, the clean picture of those before is the better one.
+    to_display(clean_.film() ? *clean_.film() : film_, request_.exposure, picture.argb);
     if ((film_.aovs & kernel::AOV_COST) != 0) paint_traced(film_, picture.argb);
     picture.time_s = request_.options.time_s;
     picture.samples = samples_;

@@ -13,6 +13,7 @@
 #include "compile/compile.h"
 #include "output/image.h"
 #include "session/session.h"
+#include "viewer/clean_picture.h"
 #include "viewer/display.h"
 #include "viewer/faster_way.h"
 #include "viewer/frame_budget.h"
@@ -26,6 +27,7 @@ struct ViewRequest {
     std::string device;    ///< As open_device() takes it.
     FrameOptions options;  ///< At the window's full size: width, height and camera must be set.
     Exposure exposure;
+    bool denoise = false;    ///< Take the noise out of pictures at rest.
     bool show_rays = false;  ///< Paint the pixels white that grid refinement traces.
 };
 
@@ -63,14 +65,15 @@ public:
 
     /// A whole picture of one sample, as large as the budget allows. False if it was stopped.
     bool render_quickly(const StopFlag& stop);
-    /// The next sample at full size, or, where rays are to be shown, the picture with these at full size. False if it
-    /// was stopped; what was there before then still shows.
+    /// The next sample at full size, or its noise taken out, or, where rays are to be shown, the picture with these at
+    /// full size. False if it was stopped; what was there before then still shows.
     bool refine(const StopFlag& stop);
-    /// False once the full-size picture has all its samples, or shows rays.
+    /// False once the full-size picture has all its samples and was denoised, if it is to be, or shows rays.
     [[nodiscard]] bool can_refine() const;
     /// Traces one pixel of the full-size picture.
     PixelInfo pick(int x, int y);
-    /// The picture at full size, with at least a few samples, without rays; none if it was stopped.
+    /// The picture at full size, with at least a few samples, without rays, denoised where that was asked for; none if
+    /// it was stopped.
     std::optional<output::Image> full_image(const StopFlag& stop);
     /// What has been rendered, for the screen.
     void show(Picture& picture) const;
@@ -81,6 +84,8 @@ private:
     bool trace_sample(const StopFlag& stop);
     bool show_rays_at_full_size(const StopFlag& stop);
     [[nodiscard]] bool holds_full_size() const;
+    [[nodiscard]] bool cleaning_is_due() const;
+    bool clean(const StopFlag& stop);
     [[nodiscard]] bool holds_rays_at_full_size() const;
     [[nodiscard]] bool fills_the_window() const;
     [[nodiscard]] std::uint32_t most_samples() const;
@@ -96,6 +101,7 @@ private:
     std::string device_choice_;
     std::shared_ptr<const LoadedScene> loaded_;  // what session_ holds
     Film film_{PixelRect{}};
+    CleanPicture clean_;            // of film_, if request_ asks for it
     bool film_is_current_ = false;  // film_ shows request_
     bool film_is_traced_ = false;   // in all its pixels: nothing is interpolated
     bool refinable_ = false;        // the device has grid refinement for request_

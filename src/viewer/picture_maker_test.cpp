@@ -144,6 +144,26 @@ TEST_F(PictureMakerTest, ExposureKeepsTheSamples) {
     EXPECT_FLOAT_EQ(maker_.full_image(stop_).value().at(0, 0).x, 1);
 }
 
+// Catches noise that stays at rest, samples that are lost when it is taken out, and a picture that is never done.
+TEST_F(PictureMakerTest, TakesTheNoiseOutAtRest) {
+    ViewRequest request = fake_request(scene_, 0.5F);
+    request.denoise = true;
+    maker_.set_request(request);
+    maker_.render_quickly(stop_);
+    int steps = 0;
+    while (maker_.can_refine()) {
+        ASSERT_TRUE(maker_.refine(stop_));
+        ASSERT_LT(++steps, 100);
+    }
+    EXPECT_EQ(maker_.samples(), kMaxSamples);
+    EXPECT_EQ(steps, static_cast<int>(kMaxSamples)) << "the first sample is there, and the last step cleans";
+    // All pixels are alike, so their mean stays.
+    EXPECT_NEAR(maker_.full_image(stop_).value().at(9, 9).x, 0.5F, 1e-4F);
+    EXPECT_NEAR(maker_.full_image(stop_).value().at(9, 9).y, (kMaxSamples - 1) / 2.0F, 1e-3F);
+    request.denoise = false;
+    EXPECT_FALSE(same_radiance(request, maker_.request()));
+}
+
 // Catches a saved picture with the few pixels of a moving view.
 TEST_F(PictureMakerTest, SavesTheFullSize) {
     maker_.set_request(fake_request(scene_, 1, kLarge));
