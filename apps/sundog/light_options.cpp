@@ -117,7 +117,8 @@ void add_light_options(CLI::App& command, LightArguments& a) {
         ->type_name("D");
     command
         .add_option_function<std::string>(
-            "--focus-pixel", [&a](Text text) { a.focus_pixel = parse_pixel(text, "--focus-pixel"); }, "What this pixel sees is sharp")
+            "--focus-pixel", [&a](Text text) { a.focus_pixel = parse_pixel(text, "--focus-pixel"); },
+            "What this pixel sees is sharp")
         ->type_name("X,Y");
     command
         .add_option_function<std::string>(

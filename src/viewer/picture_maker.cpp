@@ -92,7 +92,7 @@ bool PictureMaker::refine(const StopFlag& stop) {
 bool PictureMaker::cleaning_is_due() const {
     if (!request_.denoise || !holds_full_size() || clean_.samples() == samples_) return false;
     // It takes as long as a few samples do: so after 4, 8, 16, … of them, and the last.
-    return samples_ >= kFewestSamplesCleaned && (std::has_single_bit(samples_) || samples_ >= max_samples_);
+    return samples_ >= kFewestSamplesCleaned && (std::has_single_bit(samples_) || samples_ >= most_samples());
 }
 
 bool PictureMaker::clean(const StopFlag& stop) {
