@@ -26,7 +26,7 @@ KERNEL_ARRAY(Fog, fogs, 19)
 KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 KERNEL_ARRAY(Interior, interiors, 21)
 KERNEL_ARRAY(MaterialMaps, material_maps, 22)
-#ifdef __cplusplus
+#if defined(__cplusplus) && !defined(KERNEL_ARRAYS_OF_SHADERS)
 KERNEL_ARRAY(EnvironmentCell, environment_cells, 32)
 KERNEL_ARRAY(Bsdf, bsdfs, 34)
 KERNEL_ARRAY(BsdfMaps, bsdf_maps, 35)
@@ -37,7 +37,7 @@ KERNEL_ARRAY(float, bsdf_tables, 36)
 #ifndef KERNEL_ARRAYS_SCENE_ONLY
 KERNEL_ARRAY(Light, lights, 14)
 KERNEL_ARRAY(Instance, instances, 15)
-#ifdef __cplusplus
+#if defined(__cplusplus) && !defined(KERNEL_ARRAYS_OF_SHADERS)
 KERNEL_ARRAY(Emitter, emitters, 33)
 #endif
 #endif

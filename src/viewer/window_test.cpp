@@ -76,7 +76,7 @@ protected:
         return true;
     }
     // The middle of the window, which no panel covers.
-    [[nodiscard]] Screenshot picture() const { return screen_->look(250, 190, 420, 290); }
+    [[nodiscard]] Screenshot picture() const { return screen_->look(285, 190, 420, 290); }
     // Where messages stand: below the middle.
     [[nodiscard]] Screenshot messages() const { return screen_->look(40, 340, kWidth - 40, kHeight - 60); }
     // Waits until the picture stands still, for as long as an animation would
@@ -111,8 +111,8 @@ protected:
 TEST_F(WindowTest, ShowsTheSceneAndQuits) {
     open(kStill);
     const Screenshot shot = settled();
-    const std::uint32_t left = shot.at(10, 70);
-    const std::uint32_t right = shot.at(160, 70);
+    const std::uint32_t left = shot.at(4, 70);
+    const std::uint32_t right = shot.at(125, 70);
     EXPECT_GT(left >> 16, 2 * (left >> 8 & 0xff)) << std::hex << left;     // red
     EXPECT_GT(right >> 8 & 0xff, 2 * (right >> 16)) << std::hex << right;  // green
     press("Escape");
@@ -161,7 +161,7 @@ TEST_F(WindowTest, FollowsEditsAndShowsTheirErrors) {
     EXPECT_TRUE(becomes([&] { return difference(messages(), no_message, 30) < 0.01; })) << "the message stays";
     write("walls.mtl", "newmtl red\nKd 0.1 0.1 0.9\nnewmtl green\nKd 0.1 0.9 0.1\n");
     EXPECT_TRUE(becomes([&] {
-        const std::uint32_t left = picture().at(10, 70);
+        const std::uint32_t left = picture().at(4, 70);
         return (left & 0xff) > 2 * (left >> 16);  // blue now, where it was
     })) << "the edit was not shown";
 }
@@ -188,7 +188,7 @@ TEST_F(WindowTest, ShowsPovScenesAndFollowsTheirIncludes) {
     EXPECT_LT(difference(picture(), home, 30), kSame);
     write("paint.inc", "#declare Left = rgb <0.1, 0.1, 0.9>;\n");
     EXPECT_TRUE(becomes([&] {
-        const std::uint32_t left = picture().at(10, 50);
+        const std::uint32_t left = picture().at(4, 50);
         return (left & 0xff) > 2 * (left >> 16);  // blue now, where it was red
     })) << "the edit was not shown";
 }
@@ -215,7 +215,7 @@ TEST_F(WindowTest, PicksAPixel) {
     settled();
     const auto corner = [&] { return screen_->look(kWidth - 160, 20, kWidth - 20, 120); };
     const Screenshot before = corner();
-    screen_->act({"mousemove", "250", "260", "keydown", "ctrl", "click", "1", "keyup", "ctrl"});
+    screen_->act({"mousemove", "285", "260", "keydown", "ctrl", "click", "1", "keyup", "ctrl"});
     EXPECT_TRUE(becomes([&] { return difference(corner(), before, 20) > 0.3; }));
 }
 
@@ -253,7 +253,7 @@ TEST_F(WindowTest, SavesThePicture) {
     ASSERT_EQ(image.height, kHeight);
     output::Image part(shown.width, shown.height);
     for (int y = 0; y < part.height; ++y)
-        for (int x = 0; x < part.width; ++x) part.at(x, y) = image.at(250 + x, 190 + y);
+        for (int x = 0; x < part.width; ++x) part.at(x, y) = image.at(285 + x, 190 + y);
     const std::vector<std::uint8_t> bytes = output::to_srgb8(part);
     Screenshot from_file{part.width, part.height, {}};
     for (std::size_t i = 0; i < bytes.size(); i += 3)

@@ -36,9 +36,11 @@ std::vector<std::string> arrays_too_large(const RenderScene& scene, const Adapte
             sentences.push_back(std::move(sentence));
     };
 #define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAYS_OF_SHADERS
 #define KERNEL_ARRAY(type, name, binding) add(#name, scene.name.size() * sizeof(scene.name[0]));
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_OF_SHADERS
 #undef KERNEL_ARRAYS_SCENE_ONLY
     std::uint64_t primitives = 0;
     for (const kernel::Geometry& geometry : scene.geometries) {
@@ -90,9 +92,11 @@ SceneBuffers::SceneBuffers(Gpu& gpu, Pipelines& pipelines, const RenderScene& sc
         return buffer;
     };
 #define KERNEL_ARRAYS_SCENE_ONLY
+#define KERNEL_ARRAYS_OF_SHADERS
 #define KERNEL_ARRAY(type, name, binding) arrays_.push_back(upload(binding, bytes_of(scene.name), #name));
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
+#undef KERNEL_ARRAYS_OF_SHADERS
 #undef KERNEL_ARRAYS_SCENE_ONLY
     nodes_ = upload(kernel::BINDING_NODES, bytes_of(hierarchy_.nodes), "nodes of the hierarchy");
     shapes_ = upload(kernel::BINDING_LEAF_SHAPES, bytes_of(hierarchy_.shapes), "shapes of the hierarchy");
