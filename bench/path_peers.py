@@ -170,6 +170,7 @@ def inside_blender(arguments):
     light.cycles.max_bounces = 1024
     lamp_object = bpy.data.objects.new("lamp", light)
     lamp_object.location = (0.5, 0.5, LAMP_HEIGHT)
+    lamp_object.visible_camera = True
     scene.collection.objects.link(lamp_object)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.location, camera.rotation_euler = (0.5, -1.44, 0.5), (math.pi / 2, 0, 0)
