@@ -151,7 +151,6 @@ void list_emitters(const RenderScene& compiled, Frame& frame) {
     const double disc = kPiExact * radius * radius;
     std::vector<double> power;
     frame.emitters.clear();
-    double emitted = 0;
     for (const ShiningPrimitive& p : compiled.shining) {
         const kernel::Geometry& geometry = compiled.geometries[p.geometry];
         double area = 0;
@@ -171,7 +170,6 @@ void list_emitters(const RenderScene& compiled, Frame& frame) {
         frame.emitters.push_back({kind, p.primitive, p.geometry, 1, 0, 0});
         // To both sides, by the cosine.
         power.push_back(2 * kPiExact * weight);
-        emitted += weight;
     }
     for (std::uint32_t i = 0; i < params.light_count; ++i) {
         const kernel::Light& light = frame.lights[i];
