@@ -50,7 +50,7 @@ KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved ab
 KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
 KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
-KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;  ///< Paths meet it, so what bends light stands in its way.
+KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;  ///< Paths meet it, so all surfaces stand in its way.
 
 /// What a light does with photons; see Geometry::photons.
 KERNEL_CONST uint LIGHT_PHOTONS_REFRACT = 1024u;

@@ -132,6 +132,28 @@ TEST_F(Paths, ARectangleLightBeforeAWall) {
     EXPECT_NEAR(mean(s, options, 256), want, 0.01F * want);
 }
 
+// The same through a dark veil that lets three quarters pass. Catches light that is aimed at through what is
+// transparent and met there as well: it would count nearly twice.
+TEST_F(Paths, LightThroughAVeilCountsOnce) {
+    scene::Scene s = empty_scene();
+    add_quad(s, {-50, 4, -50}, {50, 4, -50}, {50, 4, 50}, {-50, 4, 50}, add_material(s, matt({0.8F, 0.8F, 0.8F})));
+    add_quad(s, {-3, -1, -2}, {3, -1, -2}, {3, -1, 2}, {-3, -1, 2}, add_material(s, shining({5, 5, 5}, {0, 0, 0})));
+    scene::Material veil;
+    veil.principled->base_color = {0, 0, 0};
+    veil.principled->specular = 0;
+    veil.principled->alpha = 0.25F;
+    veil.principled->alpha_mode = scene::PrincipledSurface::Alpha::blend;
+    add_quad(s, {-30, -0.5F, -30}, {30, -0.5F, -30}, {30, -0.5F, 30}, {-30, -0.5F, 30}, add_material(s, veil));
+    FrameOptions options = paths(16, 16, 4);
+    kernel::Camera narrow{};
+    narrow.center = {0, 1, 0};
+    narrow.right = {0.001F, 0, 0};
+    narrow.up = {0, 0, 0.001F};
+    options.camera = narrow;
+    const float want = 0.75F * 0.8F * 5 * rectangle_share(3.0F / 5, 2.0F / 5);
+    EXPECT_NEAR(mean(s, options, 1024), want, 0.03F * want);
+}
+
 // Lights without size give what Whitted's integrator gives, sample by sample. Catches factors of pi between the two,
 // and lights that are drawn with another probability than they count with.
 TEST_F(Paths, LampsAreThoseOfWhitted) {

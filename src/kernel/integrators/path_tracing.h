@@ -4,8 +4,8 @@
 //
 // Surfaces are those of Whitted's integrator: what a light of colour 1 makes of them is pi times their BSDF times the
 // cosine. Surfaces that shine are lights; lights without size are those of Whitted's integrator, with areas for soft
-// shadows. Of ambient light there is none. Transparent surfaces that bend light stand in its way, except in that of
-// lights without size, which no path could meet.
+// shadows. Of ambient light there is none. Transparent surfaces stand in its way, except in that of lights without
+// size, which no path could meet.
 //
 // The device defines its traversal first (see whitted.h).
 #ifndef SUNDOG_KERNEL_INTEGRATORS_PATH_TRACING_H

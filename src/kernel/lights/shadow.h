@@ -10,9 +10,6 @@
 #include "kernel/lights/photon_flags.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
-#ifdef SUNDOG_KERNEL_PATHS
-#include "kernel/materials/bsdf_material.h"
-#endif
 #include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
 #ifdef __cplusplus
@@ -34,7 +31,8 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
     bool attenuated = (light_flags & LIGHT_ATTENUATED) != 0u;
     bool in_fog = FEATURE(FEATURE_ATMOSPHERE) && FRAME.fog_count > 0u && attenuated;
     bool in_air = FEATURE(FEATURE_MEDIA) && FRAME.atmosphere != NONE && attenuated;
-    if (!FEATURE(FEATURE_TRANSPARENT) && !in_fog && !in_air) {
+    bool met_by_paths = (light_flags & LIGHT_MET_BY_PATHS) != 0u;
+    if ((!FEATURE(FEATURE_TRANSPARENT) || met_by_paths) && !in_fog && !in_air) {
         mask blocked = trace_any(SCENE_ ray, alive, word(RAY_SHADOW));
         return select(blocked, real3(real(0.0f)), real3(real(1.0f)));
     }
@@ -61,6 +59,8 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         // Most of what stands in the way is opaque: that is told from the material alone.
         word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
         mask opaque = mask_and(alive, (flags & word(MATERIAL_TRANSPARENT)) == word(0u));
+        // Paths go on through what lets light pass, and then meet the light for themselves.
+        if (met_by_paths) opaque = alive;
         if (FEATURE(FEATURE_PHOTONS)) {
             word photons = FIELD(geometries, valid_index(alive, hit.geometry), photons);
             opaque = mask_or(opaque, mask_and(alive, photons_replace_shadow(photons, light_flags)));
@@ -71,12 +71,10 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         Surface s = surface_at(SCENE_ ray, hit, alive);
         Lobes lobes = evaluate_material(SCENE_ s, ray.direction);
         real3 passes = lobes.transmittance;
-        mask bends = abs(lobes.eta - 1.0f) > real(0.0f);
         if (FEATURE(FEATURE_PATTERNED)) {
             LayerColors layered;
             evaluate_layers(SCENE_ s, ray.direction, alive, mask(false), true, lobes, layered);
             word interior = interior_of(SCENE_ s, lobes.patterned);
-            bends = select_mask(lobes.patterned, abs(FIELD(interiors, interior, ior) - 1.0f) > real(0.0f), bends);
             passes =
                 lobes.transmittance * interior_transmittance(SCENE_ select(s.from_behind, interior, word(0u)), hit.t);
             if (FEATURE(FEATURE_CAUSTICS)) {
@@ -86,16 +84,6 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
                 passes = passes * select(exponent > real(0.0f), 1.0f + power(cosine, exponent), real(1.0f));
             }
         }
-        if ((light_flags & LIGHT_MET_BY_PATHS) != 0u) passes = select(bends, real3(real(0.0f)), passes);
-#ifdef SUNDOG_KERNEL_PATHS
-        if (FEATURE(FEATURE_BSDF)) {
-            // Paths go through by themselves, but for what isn't there.
-            word model = FIELD(materials, s.material, bsdf);
-            mask own = mask_and(alive, model != word(NONE));
-            if (any_lane(own))
-                passes = select(own, real3(1.0f - bsdf_opacity(SCENE_ s, valid_index(own, model))), passes);
-        }
-#endif
 #ifdef __cplusplus
         if (FEATURE(FEATURE_MEDIA))
             passes = passes * media_transmittance(SCENE_ ray, hit.t, insides, attenuated, alive);
