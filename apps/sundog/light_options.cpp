@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 
 #include "session/session.h"
 #include "usage_error.h"
@@ -16,16 +15,6 @@ constexpr float kFarthest = 1e6F;
 constexpr float kSmallest = 1e-4F;
 constexpr int kMostBlades = 64;
 constexpr int kMostSeed = 1'000'000'000;
-
-/// The cosine between a pixel's pinhole ray and the view axis.
-float cosine_at(const kernel::FrameParams& params, const Pixel& pixel) {
-    const float x = 2 * (static_cast<float>(pixel.x) + 0.5F) / static_cast<float>(params.width) - 1;
-    const float y = 1 - 2 * (static_cast<float>(pixel.y) + 0.5F) / static_cast<float>(params.height);
-    const auto vec = [](const kernel::vec3& v) { return Vec3{v.x, v.y, v.z}; };
-    const Vec3 center = vec(params.camera.center);
-    const Vec3 through = center + vec(params.camera.right) * x + vec(params.camera.up) * y;
-    return dot(center, through) / (length(center) * length(through));
-}
 
 }  // namespace
 
@@ -64,7 +53,7 @@ std::optional<float> LightArguments::pick_focus(const Frame& frame, Session& ses
     if (seen.geometry == kernel::NONE)
         throw UsageError(fmt::format("--focus-pixel {},{} sees nothing", focus_pixel->x, focus_pixel->y),
                          "pick a pixel that shows what is to be sharp");
-    return seen.depth * cosine_at(frame.params, *focus_pixel);
+    return seen.axis_depth;
 }
 
 std::string LightArguments::device_for(std::string asked) const {

@@ -4,14 +4,14 @@
 #include <chrono>
 #include <utility>
 
-#include "viewer/clean_picture.h"
+#include "session/clean_film.h"
 
 namespace sundog::app {
 
 double remove_noise(Device& device, const Frame& frame, const StopFlag& stop, RenderResult& result) {
     const auto start = std::chrono::steady_clock::now();
     const PictureGuides guides = trace_guides(device, frame, stop);
-    if (auto clean = viewer::cleaned(result.film, result.variance, guides, stop)) result.film = std::move(*clean);
+    if (auto clean = cleaned(result.film, result.variance, guides, stop)) result.film = std::move(*clean);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

@@ -147,8 +147,17 @@ std::optional<kernel::Bsdf> compile_bsdf(const scene::MtlSurface& s) {
     return out;
 }
 
-kernel::BsdfMaps compile_bsdf_maps(const PrincipledSurface& s, std::span<const scene::Texture> textures) {
-    kernel::BsdfMaps maps{};
+kernel::BsdfMaps compile_bsdf_maps(const kernel::MaterialMaps& maps) {
+    kernel::BsdfMaps out{};
+    for (kernel::TextureRef& ref : out.map) ref = no_maps().diffuse;
+    out.map[kernel::BSDF_MAP_COLOR] = maps.diffuse;
+    out.map[kernel::BSDF_MAP_OPACITY] = maps.opacity;
+    return out;
+}
+
+kernel::BsdfMaps compile_bsdf_maps(const PrincipledSurface& s, std::span<const scene::Texture> textures,
+                                   const kernel::MaterialMaps& material_maps) {
+    kernel::BsdfMaps maps = compile_bsdf_maps(material_maps);
     const auto set = [&](std::uint32_t which, const scene::TextureUse& use) {
         maps.map[which] = compile_use(use, textures);
     };

@@ -17,8 +17,11 @@ std::optional<kernel::Bsdf> compile_bsdf(const scene::PrincipledSurface& surface
 /// neither.
 std::optional<kernel::Bsdf> compile_bsdf(const scene::MtlSurface& surface);
 
-/// The maps that compile_bsdf() leaves out, and whether there are any.
-kernel::BsdfMaps compile_bsdf_maps(const scene::PrincipledSurface& surface, std::span<const scene::Texture> textures);
+/// The maps that compile_bsdf() leaves out, and whether there are any; `maps` are the material's own.
+kernel::BsdfMaps compile_bsdf_maps(const scene::PrincipledSurface& surface, std::span<const scene::Texture> textures,
+                                   const kernel::MaterialMaps& maps);
+/// Likewise of a surface from an MTL file, which has no others.
+kernel::BsdfMaps compile_bsdf_maps(const kernel::MaterialMaps& maps);
 bool any_map(const kernel::BsdfMaps& maps);
 
 }  // namespace sundog

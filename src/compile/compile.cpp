@@ -39,23 +39,23 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
 }
 
 /// The material's reflection model, if it has one, as the last of them.
-void append_bsdf(const scene::Material& m, std::span<const scene::Texture> textures, RenderScene& out) {
+void append_bsdf(const scene::Material& m, const kernel::MaterialMaps& material_maps,
+                 std::span<const scene::Texture> textures, RenderScene& out) {
     std::optional<kernel::Bsdf> bsdf = m.principled ? compile_bsdf(*m.principled) : compile_bsdf(*m.mtl);
-    out.materials.back().bsdf = kernel::NONE;
+    kernel::Material& material = out.materials.back();
+    material.bsdf = kernel::NONE;
     if (!bsdf) return;
-    if (m.principled) {
-        const kernel::BsdfMaps maps = compile_bsdf_maps(*m.principled, textures);
-        if (any_map(maps)) {
-            bsdf->maps = static_cast<std::uint32_t>(out.bsdf_maps.size());
-            out.bsdf_maps.push_back(maps);
-            out.materials.back().flags |= kernel::MATERIAL_TEXTURED;
-        }
-        // Which way a surface is brushed its texture coordinates say.
-        if (bsdf->anisotropy > 0) out.materials.back().flags |= kernel::MATERIAL_TEXTURED;
+    const kernel::BsdfMaps maps =
+        m.principled ? compile_bsdf_maps(*m.principled, textures, material_maps) : compile_bsdf_maps(material_maps);
+    if (any_map(maps)) {
+        bsdf->maps = static_cast<std::uint32_t>(out.bsdf_maps.size());
+        out.bsdf_maps.push_back(maps);
     }
-    out.materials.back().bsdf = static_cast<std::uint32_t>(out.bsdfs.size());
+    // Which way a surface is brushed its texture coordinates say.
+    if (any_map(maps) || bsdf->anisotropy > 0) material.flags |= kernel::MATERIAL_TEXTURED;
+    if (bsdf->opacity < 1) material.flags |= kernel::MATERIAL_TRANSPARENT;
+    material.bsdf = static_cast<std::uint32_t>(out.bsdfs.size());
     out.bsdfs.push_back(*bsdf);
-    if (bsdf->opacity < 1) out.materials.back().flags |= kernel::MATERIAL_TRANSPARENT;
 }
 
 void compile_materials(const scene::Scene& scene, RenderScene& out) {
@@ -74,7 +74,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
             kernel::Material& compiled = out.materials.back();
             compiled.emission_power = emission_power({compiled.emission.x, compiled.emission.y, compiled.emission.z},
                                                      maps.emission.texture, scene.textures);
-            append_bsdf(m, scene.textures, out);
+            append_bsdf(m, maps, scene.textures, out);
             if (any_map(maps)) {
                 out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
                 out.material_maps.push_back(maps);

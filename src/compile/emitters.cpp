@@ -18,7 +18,6 @@ constexpr double kPiExact = std::numbers::pi;
 constexpr std::uint32_t kMostCells = 512;
 
 Vec3 to_vec(const kernel::vec3& v) { return {v.x, v.y, v.z}; }
-float luminance(Vec3 c) { return 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z; }
 
 Vec3 placed(const kernel::Instance& i, const kernel::vec3& p) {
     return to_vec(i.world_from_object_x) * p.x + to_vec(i.world_from_object_y) * p.y +
@@ -41,21 +40,13 @@ double scene_radius(const RenderScene& scene) {
     return radius > 0 && std::isfinite(radius) ? radius : 1;
 }
 
-Vec3 environment_pixel(const RenderScene& scene, std::size_t number) {
-    const float* const at = &scene.linear_values[kernel::ENVIRONMENT_FIRST + 3 * number];
-    return {at[0], at[1], at[2]};
-}
-
 /// Mean luminance of the environment over all directions.
-double mean_radiance(const RenderScene& scene) {
-    const kernel::Environment& e = scene.environment;
+double mean_luminance(const scene::Environment& e) {
     double sum = 0, weight = 0;
     for (std::uint32_t y = 0; y < e.height; ++y) {
         const double sine = std::sin((y + 0.5) / e.height * kPiExact);
-        for (std::uint32_t x = 0; x < e.width; ++x) {
-            sum += sine * luminance(environment_pixel(scene, std::size_t{y} * e.width + x));
-            weight += sine;
-        }
+        for (std::uint32_t x = 0; x < e.width; ++x) sum += sine * luminance(e.radiance[std::size_t{y} * e.width + x]);
+        weight += sine * e.width;
     }
     return weight > 0 ? sum / weight * e.gain : 0;
 }
@@ -80,16 +71,13 @@ float emission_power(Vec3 emission, scene::Index number, std::span<const scene::
 void find_shining(RenderScene& out) {
     for (std::uint32_t g = 0; g < out.geometries.size(); ++g) {
         const kernel::Geometry& geometry = out.geometries[g];
-        // What shadow rays don't see they can aim at all the same.
+        const bool triangles = geometry.kind == kernel::GEOMETRY_TRIANGLES;
+        if (!triangles && geometry.kind != kernel::GEOMETRY_SPHERE) continue;
         for (std::uint32_t i = 0; i < geometry.primitive_count; ++i) {
             const std::uint32_t primitive = geometry.first_primitive + i;
-            if (geometry.kind == kernel::GEOMETRY_TRIANGLES) {
-                if (out.materials[out.triangles[primitive].material].emission_power > 0)
-                    out.shining.push_back({g, primitive});
-            } else if (geometry.kind == kernel::GEOMETRY_SPHERE) {
-                if (out.materials[out.spheres[primitive].material].emission_power > 0)
-                    out.shining.push_back({g, primitive});
-            }
+            const std::uint32_t material =
+                triangles ? out.triangles[primitive].material : out.spheres[primitive].material;
+            if (out.materials[material].emission_power > 0) out.shining.push_back({g, primitive});
         }
     }
 }
@@ -103,6 +91,7 @@ void compile_environment(const scene::Environment& environment, RenderScene& out
     e.width = environment.width;
     e.height = environment.height;
     e.gain = environment.gain;
+    out.environment_mean = mean_luminance(environment);
     e.cells_wide = std::min(e.width, kMostCells);
     e.cells_high = std::min(e.height, kMostCells / 2);
     out.linear_values.resize(kernel::ENVIRONMENT_FIRST);
@@ -186,7 +175,7 @@ void list_emitters(const RenderScene& compiled, Frame& frame) {
     }
     const bool surrounded = params.environment.cells_wide > 0 && compiled.environment_cells.size() > 1;
     if (surrounded) {
-        const double weight = 4 * kPiExact * disc * mean_radiance(compiled);
+        const double weight = 4 * kPiExact * disc * compiled.environment_mean;
         if (weight > 0 && std::isfinite(weight)) {
             frame.emitters.push_back({kernel::EMITTER_ENVIRONMENT, 0, kernel::NONE, 1, 0, 0});
             power.push_back(weight);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/srgb.h"
 #include "denoise/smoothed.h"
 
 namespace sundog::denoise {
@@ -17,8 +18,6 @@ constexpr float kLeastAlbedo = 0.05F;
 std::size_t place(const NoisyPicture& picture, int x, int y) {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x);
 }
-
-float luminance(Vec3 v) { return dot(v, {0.2126F, 0.7152F, 0.0722F}); }
 
 float finite(float value) { return std::isfinite(value) ? value : 0; }
 Vec3 finite(Vec3 v) { return {finite(v.x), finite(v.y), finite(v.z)}; }

@@ -76,6 +76,7 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
     std::vector<ShiningPrimitive> shining;        ///< What paths may aim at.
     kernel::Environment environment{};            ///< Its `probability` is the frame's; width 0: there is none.
+    double environment_mean = 0;                  ///< Mean luminance of it over all directions.
     std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.
     std::optional<SourceLocation> photons;        ///< Where the scene asks for them, if it does.
     std::vector<PhotonTarget> photon_targets;     ///< By their numbers less one.

@@ -128,7 +128,8 @@ KERNEL_CONST uint BSDF_BECKMANN = 6u;   ///< A metal of Beckmann's facets,
 KERNEL_CONST uint BSDF_CONDUCTOR = 7u;  ///< and of GGX's.
 KERNEL_CONST uint BSDF_DIELECTRIC = 8u;
 
-/// Maps of BSDF_PRINCIPLED, in the channels that glTF gives them.
+/// Maps of reflection models: of their colour and opacity, then BSDF_PRINCIPLED's, in the channels that glTF gives
+/// them.
 KERNEL_CONST uint BSDF_MAP_METALLIC_ROUGHNESS = 0u;
 KERNEL_CONST uint BSDF_MAP_SPECULAR = 1u;
 KERNEL_CONST uint BSDF_MAP_SPECULAR_COLOR = 2u;
@@ -140,7 +141,9 @@ KERNEL_CONST uint BSDF_MAP_SHEEN_ROUGHNESS = 7u;
 KERNEL_CONST uint BSDF_MAP_FILM = 8u;
 KERNEL_CONST uint BSDF_MAP_FILM_THICKNESS = 9u;
 KERNEL_CONST uint BSDF_MAP_ANISOTROPY = 10u;
-KERNEL_CONST uint BSDF_MAP_COUNT = 11u;
+KERNEL_CONST uint BSDF_MAP_COLOR = 11u;
+KERNEL_CONST uint BSDF_MAP_OPACITY = 12u;  ///< As MaterialMaps::opacity.
+KERNEL_CONST uint BSDF_MAP_COUNT = 13u;
 
 /// Where what stands in `bsdf_tables`: a table's rows are roughnesses, its columns cosines
 /// (kernel/bsdf/albedo_tables.h).
@@ -459,7 +462,7 @@ struct Bsdf {
     uint maps;  ///< Into `bsdf_maps`, or NONE.
 };
 
-/// The maps of a principled surface (BSDF_MAP_*) beside those of its material.
+/// The maps of a reflection model (BSDF_MAP_*).
 struct BsdfMaps {
     TextureRef map[BSDF_MAP_COUNT];
 };

@@ -27,9 +27,9 @@ Vec3 each(Vec3 v, const Curve& curve) {
 Vec3 times(const std::array<Vec3, 3>& rows, Vec3 v) { return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)}; }
 
 Vec3 reinhard(Vec3 color, float white_point) {
-    const float luminance = dot(color, {0.2126F, 0.7152F, 0.0722F});
-    if (!(luminance > 0)) return {0, 0, 0};
-    return color * ((1 + luminance / (white_point * white_point)) / (1 + luminance));
+    const float bright = luminance(color);
+    if (!(bright > 0)) return {0, 0, 0};
+    return color * ((1 + bright / (white_point * white_point)) / (1 + bright));
 }
 
 /// Hill's fit: to AP1 with the reference transform's desaturation, a rational curve, and back with the output's.

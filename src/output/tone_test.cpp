@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/srgb.h"
 #include "output/srgb.h"
 #include "output/white_balance.h"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr std::array kCurves{ToneCurve::linear, ToneCurve::reinhard, ToneCurve::aces, ToneCurve::agx, ToneCurve::gamma};
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
-
-float luminance(Vec3 color) { return dot(color, {0.2126F, 0.7152F, 0.0722F}); }
 
 ToneMapper mapper(ToneCurve curve) { return ToneMapper({.curve = curve}); }
 

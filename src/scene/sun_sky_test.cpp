@@ -5,12 +5,12 @@
 
 #include <cmath>
 
+#include "base/srgb.h"
+
 namespace sundog::scene {
 namespace {
 
 constexpr Vec3 kUp{0, 0, 1}, kNorth{0, 1, 0};
-
-float luminance(Vec3 color) { return dot(color, {0.2126F, 0.7152F, 0.0722F}); }
 
 Vec3 towards(float azimuth_deg, float elevation_deg) { return direction_at({}, azimuth_deg, elevation_deg); }
 

@@ -6,19 +6,10 @@
 #include <cmath>
 
 #include "session/guides.h"
+#include "session/test_noise.h"
 
 namespace sundog {
 namespace {
-
-/// Uniform in [0, 1).
-float random_number(int x, int y, std::uint32_t sample) {
-    std::uint64_t bits = static_cast<std::uint64_t>(x * 4096 + y) << 32U | sample;  // SplitMix64
-    for (int i = 0; i < 2; ++i) {
-        bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
-        bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
-    }
-    return static_cast<float>(bits >> 40U) * 0x1p-24F;
-}
 
 /// Uniform noise in red, a flat green; what is seen has its column in its albedo and depth.
 class NoisyDevice : public Device {

@@ -8,19 +8,10 @@
 
 #include "session/pixel_errors.h"
 #include "session/recursive.h"
+#include "session/test_noise.h"
 
 namespace sundog {
 namespace {
-
-/// Uniform in [0, 1).
-float random_number(int x, int y, std::uint32_t sample) {
-    std::uint64_t bits = static_cast<std::uint64_t>(x * 4096 + y) << 32U | sample;  // SplitMix64
-    for (int i = 0; i < 2; ++i) {
-        bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
-        bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
-    }
-    return static_cast<float>(bits >> 40U) * 0x1p-24F;
-}
 
 /// A picture whose left half is flat and whose right half is noise around a known mean; single places see an edge.
 class NoisyDevice : public Device {

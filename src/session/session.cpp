@@ -171,13 +171,33 @@ RenderStats Session::render_into(const Frame& frame, std::uint32_t first_sample,
     return device_->render(frame, {film.bounds, first_sample, count}, film, stop);
 }
 
+namespace {
+
+/// The cosine between the view axis and the pinhole's ray through the middle of pixel (x, y).
+float axis_cosine(const kernel::FrameParams& params, int x, int y) {
+    const auto vec = [](const kernel::vec3& v) { return Vec3{v.x, v.y, v.z}; };
+    const float across = 2 * (static_cast<float>(x) + 0.5F) / static_cast<float>(params.width) - 1;
+    const float up = 1 - 2 * (static_cast<float>(y) + 0.5F) / static_cast<float>(params.height);
+    const Vec3 center = vec(params.camera.center);
+    const Vec3 through = center + vec(params.camera.right) * across + vec(params.camera.up) * up;
+    return dot(center, through) / (length(center) * length(through));
+}
+
+}  // namespace
+
 PixelInfo Session::pick(const Frame& frame, int x, int y) {
     Frame all = frame;
     all.params.sampling = {};
     all.params.aovs = kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_OBJECT;
     Film film({x, y, x + 1, y + 1}, all.params.aovs);
     device_->render(all, {film.bounds, 0, 1}, film, StopFlag{});
-    return {film.mean(x, y), film.depth[0], film.normal[0], film.object[0], film.primitive[0], film.material[0]};
+    return {film.mean(x, y),
+            film.depth[0],
+            film.normal[0],
+            film.object[0],
+            film.primitive[0],
+            film.material[0],
+            film.depth[0] * axis_cosine(frame.params, x, y)};
 }
 
 }  // namespace sundog

@@ -21,6 +21,7 @@ struct PixelInfo {
     float depth = 0;  ///< Distance from the eye; infinite on a miss.
     Vec3 normal;      ///< World space.
     std::uint32_t geometry = kernel::NONE, primitive = kernel::NONE, material = kernel::NONE;
+    float axis_depth = 0;  ///< As depth, along the view axis of a pinhole.
 };
 
 /// Owns a device and renders frames of one compiled scene on it.

@@ -4,18 +4,12 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "device/device.h"
 #include "session/guides.h"
 #include "session/pixel_errors.h"
 
 namespace sundog::viewer {
-
-/// A film whose means are denoised (denoise/denoise.h); its pixels keep their weights. `variance`: of its means. None
-/// if it was stopped.
-std::optional<Film> cleaned(const Film& film, std::span<const Vec3> variance, const PictureGuides& guides,
-                            const StopFlag& stop);
 
 /// Keeps account of a film's passes and makes clean films of them.
 class CleanPicture {

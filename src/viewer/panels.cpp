@@ -260,8 +260,8 @@ void pixel_panel(std::optional<PickedPixel>& picked, Controls& controls) {
     ImGui::SameLine();
     if (picked->hit) {
         if (ImGui::Button("Focus here")) {
-            controls.focus_distance = picked->axis_depth;
-            if (!(controls.lens_radius > 0)) controls.lens_radius = picked->axis_depth * 0.02F;
+            controls.focus_distance = picked->info.axis_depth;
+            if (!(controls.lens_radius > 0)) controls.lens_radius = picked->info.axis_depth * 0.02F;
         }
         tooltip("Make this sharp, through a lens");
         ImGui::SameLine();

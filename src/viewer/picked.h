@@ -16,8 +16,7 @@ struct PickedPixel {
     bool hit = false;  ///< False: the sky; nothing below is set then.
     std::string object, object_place;
     std::string material, material_place;
-    std::string replay;    ///< The command line that computes this pixel again.
-    float axis_depth = 0;  ///< How far along the view axis it is.
+    std::string replay;  ///< The command line that computes this pixel again.
 };
 
 /// Finds names and places of what `info` saw in the scene.

@@ -71,18 +71,6 @@ std::vector<DeviceChoice> device_choices() {
     return choices;
 }
 
-/// How far along the view axis lies what a pixel saw.
-float axis_depth(const PixelSeen& seen) {
-    const FrameOptions& options = seen.request.options;
-    if (!options.camera) return seen.info.depth;
-    const auto vec = [](const kernel::vec3& v) { return Vec3{v.x, v.y, v.z}; };
-    const float x = 2 * (static_cast<float>(seen.x) + 0.5F) / static_cast<float>(options.width.value_or(1)) - 1;
-    const float y = 1 - 2 * (static_cast<float>(seen.y) + 0.5F) / static_cast<float>(options.height.value_or(1));
-    const Vec3 center = vec(options.camera->center);
-    const Vec3 through = center + vec(options.camera->right) * x + vec(options.camera->up) * y;
-    return seen.info.depth * dot(center, through) / (length(center) * length(through));
-}
-
 /// The window with all that belongs to it; each step() is one turn of its loop.
 class Viewer {
 public:
@@ -315,7 +303,6 @@ void Viewer::take(const RenderFailed& failure) {
 
 void Viewer::take(const PixelSeen& seen) {
     status_.picked = describe_pixel(*seen.request.scene, seen.info, seen.x, seen.y);
-    status_.picked->axis_depth = axis_depth(seen);
     status_.picked->replay =
         replay_command(options_.scene_file, seen.request.device, seen.request.options, seen.x, seen.y);
 }

@@ -155,4 +155,31 @@ inline void store_block(int x0, int y0, const BlockResult& block, const TileWork
     });
 }
 
+/// Calls trace(x, y, lanes in the picture) for each block of pixels of a work, and stores its BlockResult. Blocks are
+/// aligned to the image, whatever the region: a lane's bits can depend on the lanes beside it (Embree may trace a thin
+/// packet another way), so those must always be the same ones.
+template <class Trace>
+[[gnu::always_inline]] inline cpu::TileRays render_blocks(const TileWork& work, const FrameParams& frame,
+                                                          const Trace& trace) {
+    const vint width = vint{} + static_cast<int>(frame.width);
+    const vint height = vint{} + static_cast<int>(frame.height);
+    RayCounts counts{word(0U), word(0U)};
+    for (int y = work.region.y0 / kBlockHeight * kBlockHeight; y < work.region.y1; y += kBlockHeight) {
+        for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
+            const BlockPixels pixels(x, y);
+            vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
+            if (!work.wanted.empty()) {
+                const vuint wanted = wanted_lanes(x, y, work);
+                inside &= wanted;
+                if (sum_lanes(word(wanted)) == 0) continue;
+            }
+            const BlockResult block = trace(x, y, word(inside) != word(0U));
+            counts.rays = counts.rays + block.counts.rays;
+            counts.shadow_rays = counts.shadow_rays + block.counts.shadow_rays;
+            store_block(x, y, block, work);
+        }
+    }
+    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+}
+
 KERNEL_END

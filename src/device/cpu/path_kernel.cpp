@@ -99,27 +99,9 @@ namespace sundog::cpu {
 
 TileRays SUNDOG_PATH_KERNEL(const TileWork& work) {
     using namespace kernel;
-    SceneView view = view_of(work.scene, work.frame, work.traversal);
-    const vint width = vint{} + static_cast<int>(view.frame.width);
-    const vint height = vint{} + static_cast<int>(view.frame.height);
-    RayCounts counts{word(0U), word(0U)};
-    // As in tile_kernel.cpp: the same blocks whatever the region.
-    for (int y = work.region.y0 / kBlockHeight * kBlockHeight; y < work.region.y1; y += kBlockHeight) {
-        for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
-            const BlockPixels pixels(x, y);
-            vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
-            if (!work.wanted.empty()) {
-                const vuint wanted = wanted_lanes(x, y, work);
-                inside &= wanted;
-                if (sum_lanes(word(wanted)) == 0) continue;
-            }
-            const BlockResult block = trace_paths(view, x, y, word(inside) != word(0U), work);
-            counts.rays = counts.rays + block.counts.rays;
-            counts.shadow_rays = counts.shadow_rays + block.counts.shadow_rays;
-            store_block(x, y, block, work);
-        }
-    }
-    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+    const SceneView view = view_of(work.scene, work.frame, work.traversal);
+    return render_blocks(work, view.frame,
+                         [&](int x, int y, mask in_image) { return trace_paths(view, x, y, in_image, work); });
 }
 
 }  // namespace sundog::cpu

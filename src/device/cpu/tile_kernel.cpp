@@ -116,32 +116,14 @@ TileRays SUNDOG_TILE_KERNEL(const TileWork& work) {
     view.indirect = work.indirect;
     view.photons = work.photons;
     view.light_cells = work.light_cells;
-    const vint width = vint{} + static_cast<int>(view.frame.width);
-    const vint height = vint{} + static_cast<int>(view.frame.height);
-    RayCounts counts{word(0U), word(0U)};
-    // Blocks are aligned to the image, whatever the region: a lane's bits can depend on the lanes beside it (Embree may
-    // trace a thin packet another way), so those must always be the same ones.
-    for (int y = work.region.y0 / kBlockHeight * kBlockHeight; y < work.region.y1; y += kBlockHeight) {
-        for (int x = work.region.x0 / kBlockWidth * kBlockWidth; x < work.region.x1; x += kBlockWidth) {
-            const BlockPixels pixels(x, y);
-            vuint inside = std::bit_cast<vuint>(pixels.x < width) & std::bit_cast<vuint>(pixels.y < height);
-            if (!work.wanted.empty()) {
-                const vuint wanted = wanted_lanes(x, y, work);
-                inside &= wanted;
-                if (sum_lanes(word(wanted)) == 0) continue;
-            }
-            EyeHits given{};
-            if (work.rasterised != nullptr) {
-                given = hits_of_block(*work.rasterised, x, y);
-                view.eye_hits = &given;
-            }
-            const BlockResult block = trace_block(view, x, y, word(inside) != word(0U), work);
-            counts.rays = counts.rays + block.counts.rays;
-            counts.shadow_rays = counts.shadow_rays + block.counts.shadow_rays;
-            store_block(x, y, block, work);
+    return render_blocks(work, view.frame, [&](int x, int y, mask in_image) {
+        EyeHits given{};
+        if (work.rasterised != nullptr) {
+            given = hits_of_block(*work.rasterised, x, y);
+            view.eye_hits = &given;
         }
-    }
-    return {sum_lanes(counts.rays), sum_lanes(counts.shadow_rays)};
+        return trace_block(view, x, y, in_image, work);
+    });
 }
 
 #ifdef SUNDOG_RAY_KERNEL

@@ -88,22 +88,10 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
     drawn.radiance = black;
     drawn.density = real(1.0f);
     mask on_triangle = mask_and(asked, choice.kind == word(EMITTER_TRIANGLE));
-    if (any_lane(on_triangle)) {
-        EmitterSample sample = sample_triangle(SCENE_ choice, from, u, on_triangle);
-        drawn.to_light = select(on_triangle, sample.to_light, drawn.to_light);
-        drawn.distance = select(on_triangle, sample.distance, drawn.distance);
-        drawn.radiance = select(on_triangle, sample.radiance, drawn.radiance);
-        drawn.density = select(on_triangle, sample.density, drawn.density);
-    }
+    if (any_lane(on_triangle)) take_sample(on_triangle, sample_triangle(SCENE_ choice, from, u, on_triangle), drawn);
     if (FEATURE(FEATURE_ANALYTIC)) {
         mask on_sphere = mask_and(asked, choice.kind == word(EMITTER_SPHERE));
-        if (any_lane(on_sphere)) {
-            EmitterSample sample = sample_sphere(SCENE_ choice, from, u, on_sphere);
-            drawn.to_light = select(on_sphere, sample.to_light, drawn.to_light);
-            drawn.distance = select(on_sphere, sample.distance, drawn.distance);
-            drawn.radiance = select(on_sphere, sample.radiance, drawn.radiance);
-            drawn.density = select(on_sphere, sample.density, drawn.density);
-        }
+        if (any_lane(on_sphere)) take_sample(on_sphere, sample_sphere(SCENE_ choice, from, u, on_sphere), drawn);
     }
     mask to_environment = mask_and(asked, mask_not(asked));
     if (FEATURE(FEATURE_ENVIRONMENT)) {

@@ -13,11 +13,7 @@ KERNEL_BEGIN
 FN void extend_occlusion(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) radiance, INOUT(RayCounts) counts,
                          INOUT(FirstHit) first) {
     counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
-#ifdef SUNDOG_KERNEL_SHORTCUTS
-    Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, together, nullptr);
-#else
     Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, together);
-#endif
     mask found = mask_and(path.alive, hit.geometry != word(NONE));
     mask from_eye = path.vertices == word(0u);
     real3 white = real3(real(1.0f));

@@ -45,6 +45,18 @@ struct FirstHit {
     word geometry, primitive, material;
 };
 
+/// A miss, for paths that have met nothing yet.
+FN FirstHit nothing_met() {
+    FirstHit first;
+    first.t = real(3.0e38f);
+    first.normal = real3(real(0.0f));
+    first.albedo = real3(real(0.0f));
+    first.geometry = word(NONE);
+    first.primitive = word(NONE);
+    first.material = word(NONE);
+    return first;
+}
+
 /// A colour in the scene's numbers as linear light.
 FN real3 linear_light(SCENE real3 color) {
     if (FRAME.working_gamma == 1.0f) return color;

@@ -141,7 +141,7 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
     frame.x = select(own, around.x, frame.x);
     frame.y = select(own, around.y, frame.y);
     frame.z = select(own, around.z, frame.z);
-    real opacity = bsdf_opacity(SCENE_ s, scatter.model);
+    real opacity = bsdf_opacity(SCENE_ s, scatter.model, own);
     scatter.rough = select(own, opacity, scatter.rough);
     scatter.mirrored = select(own, real(0.0f), scatter.mirrored);
     scatter.through = select(own, 1.0f - opacity, scatter.through);
@@ -175,11 +175,7 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
                     INOUT(FirstHit) first) {
     real3 black = real3(real(0.0f));
     counts.rays = counts.rays + select(path.alive, word(1u), word(0u));
-#ifdef SUNDOG_KERNEL_SHORTCUTS
-    Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, together, nullptr);
-#else
     Hit hit = trace_closest(SCENE_ path.ray, path.alive, path.kind, together);
-#endif
     mask found = mask_and(path.alive, hit.geometry != word(NONE));
     mask missed = mask_and(path.alive, hit.geometry == word(NONE));
     real reach = select(found, hit.t, real(3.0e38f));

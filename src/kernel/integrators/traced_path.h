@@ -67,18 +67,6 @@ const uint CHOICES_A_VERTEX = 3u;
 /// The first of them; those before are the camera's.
 const uint FIRST_CHOICE = 4u;
 
-/// A miss, for paths that have met nothing yet.
-FN FirstHit nothing_met() {
-    FirstHit first;
-    first.t = real(3.0e38f);
-    first.normal = real3(real(0.0f));
-    first.albedo = real3(real(0.0f));
-    first.geometry = word(NONE);
-    first.primitive = word(NONE);
-    first.material = word(NONE);
-    return first;
-}
-
 KERNEL_END
 
 #endif

@@ -43,12 +43,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
     real3 radiance = black;
     PathState waiting[MAX_BRANCHES];
     uint waiting_count = 0u;
-    first.t = real(3.0e38f);
-    first.normal = black;
-    first.albedo = black;
-    first.geometry = word(NONE);
-    first.primitive = word(NONE);
-    first.material = word(NONE);
+    first = nothing_met();
     if (RECORDING) record = blank_record();
     real3 from_first = black;
     bool is_first = true;

@@ -41,6 +41,14 @@ struct EmitterSample {
     real density;    ///< Of drawing it, over solid angle, the choice of the emitter included.
 };
 
+/// Puts `other` in the lanes of m.
+FN void take_sample(mask m, EmitterSample other, INOUT(EmitterSample) sample) {
+    sample.to_light = select(m, other.to_light, sample.to_light);
+    sample.distance = select(m, other.distance, sample.distance);
+    sample.radiance = select(m, other.radiance, sample.radiance);
+    sample.density = select(m, other.density, sample.density);
+}
+
 /// Point `p` of an object of a geometry, in world space.
 FN real3 placed_point(SCENE word geometry, real3 p) {
     if (!FEATURE(FEATURE_INSTANCES)) return p;

@@ -27,42 +27,23 @@ FN_LARGE real3 bsdf_map(SCENE word maps, mask mapped, uint which, real2 uv, OUT(
     return select(used, color, white);
 }
 
-/// How opaque a material with a reflection model is: what it isn't lets light pass straight through.
-FN real bsdf_opacity(SCENE Surface s, word model) {
+/// How opaque a model's surface is: what it isn't lets light pass straight through.
+FN real bsdf_opacity(SCENE Surface s, word model, mask here) {
     real opacity = FIELD(bsdfs, model, opacity);
-    if (!FEATURE(FEATURE_TEXTURES)) return opacity;
-    word maps = FIELD(materials, s.material, maps);
-    word texture = FIELD(material_maps, maps, opacity.texture);
-    mask used = texture != word(NONE);
+    word maps = FIELD(bsdfs, model, maps);
+    mask mapped = mask_and(here, maps != word(NONE));
+    if (!FEATURE(FEATURE_TEXTURES) || !any_lane(mapped)) return opacity;
+    word there = valid_index(mapped, maps);
+    mask used = mask_and(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].texture) != word(NONE));
     if (!any_lane(used)) return opacity;
-    word flags = FIELD(material_maps, maps, opacity.flags);
-    real2 uv = s.uv * FIELD(material_maps, maps, opacity.scale) + FIELD(material_maps, maps, opacity.offset);
-    if (any_lane((flags & word(TEXTURE_TURNED)) != word(0u)))
-        uv = turned_uv(flags, uv, s.uv, FIELD(material_maps, maps, opacity.shear));
     real alpha;
-    real3 color = texture_lookup(SCENE_ valid_index(used, texture), flags, uv, alpha);
-    real there = texture_channel(color, alpha, flags);
+    real3 color = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_OPACITY, s.uv, alpha);
+    word flags = FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].flags);
+    real share = texture_channel(color, alpha, flags);
     mask cut_off = (flags & word(TEXTURE_CUTOFF)) != word(0u);
-    mask kept = there >= FIELD(material_maps, maps, opacity.strength);
-    there = select(cut_off, select(kept, real(1.0f), real(0.0f)), there);
-    return select(used, opacity * there, opacity);
-}
-
-/// The colour of a model under its material's own map.
-FN real3 bsdf_color(SCENE Surface s, word model) {
-    real3 color = FIELD(bsdfs, model, color);
-    if (!FEATURE(FEATURE_TEXTURES)) return color;
-    word maps = FIELD(materials, s.material, maps);
-    word texture = FIELD(material_maps, maps, diffuse.texture);
-    mask used = texture != word(NONE);
-    if (!any_lane(used)) return color;
-    word flags = FIELD(material_maps, maps, diffuse.flags);
-    real2 uv = s.uv * FIELD(material_maps, maps, diffuse.scale) + FIELD(material_maps, maps, diffuse.offset);
-    if (any_lane((flags & word(TEXTURE_TURNED)) != word(0u)))
-        uv = turned_uv(flags, uv, s.uv, FIELD(material_maps, maps, diffuse.shear));
-    real alpha;
-    real3 map = texture_lookup(SCENE_ valid_index(used, texture), flags, uv, alpha);
-    return select(used, color * map, color);
+    mask kept = share >= FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].strength);
+    share = select(cut_off, select(kept, real(1.0f), real(0.0f)), share);
+    return select(used, opacity * share, opacity);
 }
 
 /// Facets so smooth that they count as mirrors would have densities beyond single precision.
@@ -160,7 +141,13 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
 FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) frame) {
     word model = valid_index(here, FIELD(materials, s.material, bsdf));
     BsdfPoint p;
-    p.color = bsdf_color(SCENE_ s, model);
+    p.color = FIELD(bsdfs, model, color);
+    word maps = FIELD(bsdfs, model, maps);
+    mask mapped = mask_and(here, maps != word(NONE));
+    if (FEATURE(FEATURE_TEXTURES) && any_lane(mapped)) {
+        real alpha;
+        p.color = p.color * bsdf_map(SCENE_ maps, mapped, BSDF_MAP_COLOR, s.uv, alpha);
+    }
     p.alpha_x = FIELD(bsdfs, model, alpha_x);
     p.alpha_y = FIELD(bsdfs, model, alpha_y);
     p.n = FIELD(bsdfs, model, n);

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films without their noise.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/progress.h"
+#include "device/film.h"
+#include "session/guides.h"
+
+namespace sundog {
+
+/// A film whose means are denoised (denoise/denoise.h); its pixels keep their weights. `variance`: of its means. None
+/// if it was stopped.
+std::optional<Film> cleaned(const Film& film, std::span<const Vec3> variance, const PictureGuides& guides,
+                            const StopFlag& stop);
+
+}  // namespace sundog
