@@ -26,18 +26,14 @@ KERNEL_ARRAY(Fog, fogs, 19)
 KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 KERNEL_ARRAY(Interior, interiors, 21)
 KERNEL_ARRAY(MaterialMaps, material_maps, 22)
-#if defined(__cplusplus) && !defined(KERNEL_ARRAYS_OF_SHADERS)
-KERNEL_ARRAY(EnvironmentCell, environment_cells, 32)
-KERNEL_ARRAY(Bsdf, bsdfs, 34)
-KERNEL_ARRAY(BsdfMaps, bsdf_maps, 35)
-KERNEL_ARRAY(float, bsdf_tables, 36)
-#endif
+KERNEL_ARRAY(EnvironmentCell, environment_cells, 23)
+KERNEL_ARRAY(Bsdf, bsdfs, 24)
+KERNEL_ARRAY(BsdfMaps, bsdf_maps, 25)
+KERNEL_ARRAY(float, bsdf_tables, 26)
 
 // Of the Frame: new for every picture.
 #ifndef KERNEL_ARRAYS_SCENE_ONLY
 KERNEL_ARRAY(Light, lights, 14)
 KERNEL_ARRAY(Instance, instances, 15)
-#if defined(__cplusplus) && !defined(KERNEL_ARRAYS_OF_SHADERS)
-KERNEL_ARRAY(Emitter, emitters, 33)
-#endif
+KERNEL_ARRAY(Emitter, emitters, 27)
 #endif

@@ -39,7 +39,7 @@ FN real3 background_met(SCENE TracedPath path, mask missed) {
 
 /// Sets the path's next ray, and its weight; paths without one end. `choice` draws the lobe, `u` the direction.
 FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                     Crossing crossing, Scatter scatter, ShadingFrame frame, real2 u, real choice, mask found,
+                     Crossing crossing, Scatter scatter, ShadingFrame basis, real2 u, real choice, mask found,
                      INOUT(TracedPath) path) {
     real3 black = real3(real(0.0f));
     real3 incoming = path.ray.direction;
@@ -53,7 +53,7 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
     real3 carried = black;
     path.density = real(0.0f);
     if (any_lane(rough)) {
-        real3 to_eye = to_local(frame, -incoming);
+        real3 to_eye = to_local(basis, -incoming);
         real3 local = cosine_direction(u);
         if (any_lane(mask_and(rough, scatter.gloss > real(0.0f)))) {
             // What is left of the number that drew the lobe says whether it is for the highlight.
@@ -69,12 +69,12 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
                 drawn = mask_and(rough, dot(local, local) > real(0.5f));
             }
         }
-        real3 direction = to_world(frame, select(drawn, local, real3(real(0.0f), real(0.0f), real(1.0f))));
+        real3 direction = to_world(basis, select(drawn, local, real3(real(0.0f), real(0.0f), real(1.0f))));
         direction = normalize(direction);
         mask behind;
         mask lit = scattering_lanes(SCENE_ s, lobes, scatter, direction, drawn, behind);
         real density;
-        real3 value = scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit,
+        real3 value = scattered_light(SCENE_ s, lobes, layered, point, scatter, basis, lit,
                                       mask_and(behind, mask_not(behind)), direction, -incoming, density);
         lit = mask_and(lit, density > real(0.0f));
         carried = select(lit, value * (0.318309886f / max(density, real(1e-30f))), black);
@@ -120,7 +120,7 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
 
 /// Where materials have reflection models of their own, these take the place of the lobes.
 FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT(Surface) s, INOUT(Lobes) lobes,
-                  INOUT(Scatter) scatter, INOUT(ShadingFrame) frame, OUT(BsdfPoint) point) {
+                  INOUT(Scatter) scatter, INOUT(ShadingFrame) basis, OUT(BsdfPoint) point) {
     real3 black = real3(real(0.0f));
     word model = FIELD(materials, s.material, bsdf);
     mask own = mask_and(found, model != word(NONE));
@@ -138,9 +138,9 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
         path.weight = select(splits, path.weight * spectrum_light(path.spectrum), path.weight);
         path.colored = mask_or(path.colored, splits);
     }
-    frame.x = select(own, around.x, frame.x);
-    frame.y = select(own, around.y, frame.y);
-    frame.z = select(own, around.z, frame.z);
+    basis.x = select(own, around.x, basis.x);
+    basis.y = select(own, around.y, basis.y);
+    basis.z = select(own, around.z, basis.z);
     real opacity = bsdf_opacity(SCENE_ s, scatter.model, own);
     scatter.rough = select(own, opacity, scatter.rough);
     scatter.mirrored = select(own, real(0.0f), scatter.mirrored);
@@ -163,7 +163,7 @@ FN void play_roulette(INOUT(TracedPath) path) {
     mask plays = mask_and(path.alive, word(ROULETTE_AFTER) < path.vertices);
     if (!any_lane(plays)) return;
     real survival = clamp(largest(path.weight), real(0.05f), real(1.0f));
-    real drawn = sample_hash(path.sample, path.vertices);
+    real drawn = sample_hash(path.draws, path.vertices);
     mask ends = mask_and(plays, drawn >= survival);
     path.alive = mask_and(path.alive, mask_not(ends));
     path.weight = select(plays, path.weight * (1.0f / survival), path.weight);
@@ -210,9 +210,9 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         lobes.specular = select(lobes.patterned, lobes.specular, lobes.specular * (white - lobes.reflectance));
     }
     Scatter scatter = scatter_of(SCENE_ s, lobes, layered, found);
-    ShadingFrame frame = frame_around(s.normal);
+    ShadingFrame basis = frame_around(s.normal);
     BsdfPoint point;
-    if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, frame, point);
+    if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, basis, point);
     real3 emission = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     if (any_lane(mask_and(found, largest(emission) > real(0.0f)))) {
         real share = real(1.0f);
@@ -224,13 +224,13 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         radiance = radiance + select(found, path.weight * emission * share, black);
     }
     word dimension = path.vertices * word(CHOICES_A_VERTEX) + word(FIRST_CHOICE);
-    real2 picks = sample_pair(path.sample, dimension + word(2u));
+    real2 picks = sample_pair(path.draws, dimension + word(2u));
     mask ends = mask_not(path.vertices < word(FRAME.max_depth));
     if (FRAME.emitter_count > 0u) {
         mask asked = mask_and(found, scatter.rough > real(0.0f));
         if (any_lane(asked)) {
-            real2 place = sample_pair(path.sample, dimension + word(1u));
-            real3 aimed = aimed_light(SCENE_ s, lobes, layered, point, scatter, frame, path.media, place, picks.y,
+            real2 place = sample_pair(path.draws, dimension + word(1u));
+            real3 aimed = aimed_light(SCENE_ s, lobes, layered, point, scatter, basis, path.media, place, picks.y,
                                       -path.ray.direction, ends, asked, counts);
             radiance = radiance + select(asked, path.weight * aimed, black);
         }
@@ -238,8 +238,8 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     mask goes_on = mask_and(found, mask_not(ends));
     path.alive = goes_on;
     if (!any_lane(goes_on)) return;
-    real2 direction = sample_pair(path.sample, dimension);
-    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, frame, direction, picks.x, goes_on, path);
+    real2 direction = sample_pair(path.draws, dimension);
+    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, basis, direction, picks.x, goes_on, path);
     path.vertices = path.vertices + word(1u);
     play_roulette(path);
 }

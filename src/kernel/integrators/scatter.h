@@ -101,14 +101,14 @@ FN mask scattering_lanes(SCENE Surface s, Lobes lobes, Scatter scatter, real3 to
 /// What a light of colour 1 from a direction makes of the surface in the lanes of `lit` (pi times BSDF times cosine),
 /// and the density over solid angle of drawing that direction.
 FN_LARGE real3 scattered_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                               Scatter scatter, ShadingFrame frame, mask lit, mask behind, real3 to_light, real3 to_eye,
+                               Scatter scatter, ShadingFrame basis, mask lit, mask behind, real3 to_light, real3 to_eye,
                                OUT(real) density) {
     real3 black = real3(real(0.0f));
     real3 base = black;
     real3 highlight = base;
     density = real(0.0f);
-    real3 local_eye = to_local(frame, to_eye);
-    real3 local_light = to_local(frame, to_light);
+    real3 local_eye = to_local(basis, to_eye);
+    real3 local_light = to_local(basis, to_light);
     mask plain = mask_and(lit, mask_not(scatter.own));
     if (any_lane(plain)) {
         add_light(SCENE_ s, lobes, layered, real3(real(1.0f)), LIGHT_HIGHLIGHTS, 0u, plain, behind, to_light, to_eye,

@@ -57,7 +57,7 @@ FN real bsdf_ior(SCENE word model, real spectrum) {
 }
 
 /// Lanes of kind BSDF_PRINCIPLED.
-FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color, real ior, INOUT(ShadingFrame) frame) {
+FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color, real ior, INOUT(ShadingFrame) basis) {
     Principled p;
     word maps = FIELD(bsdfs, model, maps);
     mask mapped = mask_and(here, maps != word(NONE));
@@ -127,18 +127,18 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
         real3 along_v;
         mask usable = mask_and(stretched, triangle_tangents(SCENE_ s, along_u, along_v));
         real3 tangent = along_u * cosine(rotation) + along_v * sine(rotation);
-        tangent = tangent - frame.z * dot(frame.z, tangent);
+        tangent = tangent - basis.z * dot(basis.z, tangent);
         usable = mask_and(usable, dot(tangent, tangent) > real(1e-20f));
-        tangent = normalize(select(usable, tangent, frame.x));
-        frame.x = select(usable, tangent, frame.x);
-        frame.y = select(usable, cross(frame.z, tangent), frame.y);
+        tangent = normalize(select(usable, tangent, basis.x));
+        basis.x = select(usable, tangent, basis.x);
+        basis.y = select(usable, cross(basis.z, tangent), basis.y);
     }
     return p;
 }
 
 /// The models of the lanes `here`, for light at a place in the spectrum; their frame's x is turned to where a surface
 /// is brushed along.
-FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) frame) {
+FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) basis) {
     word model = valid_index(here, FIELD(materials, s.material, bsdf));
     BsdfPoint p;
     p.color = FIELD(bsdfs, model, color);
@@ -154,7 +154,7 @@ FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(Shad
     p.k = FIELD(bsdfs, model, k);
     real ior = bsdf_ior(SCENE_ model, spectrum);
     p.eta = select(s.from_behind, ior, 1.0f / ior);
-    p.principled = principled_at(SCENE_ s, model, here, p.color, ior, frame);
+    p.principled = principled_at(SCENE_ s, model, here, p.color, ior, basis);
     return p;
 }
 
