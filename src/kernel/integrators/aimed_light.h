@@ -5,6 +5,7 @@
 
 #include "kernel/integrators/scatter.h"
 #include "kernel/lights/emitter.h"
+#include "kernel/lights/emitter_shadow.h"
 
 KERNEL_BEGIN
 
@@ -42,6 +43,11 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
         real3 color = real3(light.color);
         if (FEATURE(FEATURE_LIGHT_SHAPES))
             color = color * light_share(light, s.position, from, in_parts ? reach : distance);
+        if (FEATURE(FEATURE_MEDIA)) {
+            // As in povray, a light is as bright in a medium of any phase function as on a surface that faces it.
+            color = color * select(scatter.particle, 4.0f * phase_mean(scatter.phase), real(1.0f));
+            if ((light.flags & LIGHT_PASSES_MEDIA) != 0u) lit = mask_and(lit, mask_not(scatter.particle));
+        }
         real3 amount = abs(color);
         lit = mask_and(lit, largest(amount) > real(0.0f));
         if (!any_lane(lit)) continue;
@@ -126,8 +132,7 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
             shadow.t_min = real(0.0f);
             shadow.direction = select(to_environment, drawn.to_light, to_place * (1.0f / max(away, real(1e-30f))));
             shadow.t_max = select(to_environment, drawn.distance, away - hit_error(shadow.origin, place, away));
-            real3 passes =
-                shadow_transmittance(SCENE_ shadow, media, LIGHT_ATTENUATED | LIGHT_MET_BY_PATHS, lit, counts);
+            real3 passes = emitter_visibility(SCENE_ shadow, media, lit, counts);
             sum = select(lit, value * passes, black);
         }
     }

@@ -5,7 +5,7 @@
 // Surfaces are those of Whitted's integrator: what a light of colour 1 makes of them is pi times their BSDF times the
 // cosine. Surfaces that shine are lights; lights without size are those of Whitted's integrator, with areas for soft
 // shadows. Of ambient light there is none. Transparent surfaces stand in its way, except in that of lights without
-// size, which no path could meet.
+// size, which no path could meet; those that don't bend light are passed straight by aimed rays, too.
 //
 // The device defines its traversal first (see whitted.h).
 #ifndef SUNDOG_KERNEL_INTEGRATORS_PATH_TRACING_H
@@ -18,6 +18,9 @@
 #include "kernel/integrators/surface_met.h"
 #include "kernel/integrators/traced_path.h"
 #include "kernel/materials/spectrum.h"
+#ifdef __cplusplus
+#include "kernel/integrators/particles.h"
+#endif
 
 KERNEL_BEGIN
 
@@ -37,10 +40,11 @@ FN real3 background_met(SCENE TracedPath path, mask missed) {
     return seen;
 }
 
-/// Sets the path's next ray, and its weight; paths without one end. `choice` draws the lobe, `u` the direction.
+/// Sets the path's next ray, and its weight; paths without one end, and those of `ends` unless they go straight on.
+/// `choice` draws the lobe, `u` the direction. The surface was met at `distance`.
 FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                     Crossing crossing, Scatter scatter, ShadingFrame basis, real2 u, real choice, mask found,
-                     INOUT(TracedPath) path) {
+                     Crossing crossing, Scatter scatter, ShadingFrame basis, real2 u, real choice, mask ends,
+                     real distance, mask found, INOUT(TracedPath) path) {
     real3 black = real3(real(0.0f));
     real3 incoming = path.ray.direction;
     mask rough = mask_and(found, choice < scatter.rough);
@@ -51,7 +55,11 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
 
     Ray next = mirrored_ray(s, incoming);
     real3 carried = black;
+    real drawn_before = path.density;
+    real passed_before = path.passed + distance;
     path.density = real(0.0f);
+    path.passed = real(0.0f);
+    mask goes_on = mask_and(found, mask_not(ends));
     if (any_lane(rough)) {
         real3 to_eye = to_local(basis, -incoming);
         real3 local = cosine_direction(u);
@@ -67,6 +75,16 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
                 real left = choice / max(scatter.rough, real(1e-10f));
                 local = select(own, bsdf_directions(SCENE_ scatter.model, point, to_eye, u, left, own), local);
                 drawn = mask_and(rough, dot(local, local) > real(0.5f));
+            }
+        }
+        if (FEATURE(FEATURE_MEDIA)) {
+            mask particle = mask_and(rough, scatter.particle);
+            if (any_lane(particle)) {
+                real c = phase_cosine(scatter.phase, scatter.eccentricity, u.x);
+                real across = sqrt(max(1.0f - c * c, real(0.0f)));
+                real around = u.y * 6.28318531f;
+                // The normal looks back along the ray.
+                local = select(particle, real3(across * cosine(around), across * sine(around), -c), local);
             }
         }
         real3 direction = to_world(basis, select(drawn, local, real3(real(0.0f), real(0.0f), real(1.0f))));
@@ -94,6 +112,14 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
             mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
             next.direction = select(through, select(bends, normalize(refracted), incoming), next.direction);
             next.origin = select(through, s.position - s.geometric_normal * s.error, next.origin);
+            if (FEATURE(FEATURE_VEILS)) {
+                real3 passes;
+                mask straight = passes_straight(SCENE_ s, lobes, through, passes);
+                path.density = select(straight, drawn_before, path.density);
+                path.passed = select(straight, passed_before, path.passed);
+                mask may_pass = path.vertices < word(FRAME.max_depth + MAX_SHADOW_SURFACES);
+                goes_on = mask_or(goes_on, mask_and(straight, may_pass));
+            }
             carried = select(through, lobes.transmittance * (1.0f / max(scatter.through, real(1e-30f))), carried);
             if (FEATURE(FEATURE_DISPERSION)) {
                 mask splits = disperses(SCENE_ s, lobes, mask_and(through, lobes.patterned));
@@ -115,7 +141,37 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
     path.kind = select(through, path.kind, word(RAY_REFLECTED));
     path.ray = next;
     path.weight = path.weight * carried;
-    path.alive = mask_and(found, largest(path.weight) > real(0.0f));
+    path.alive = mask_and(goes_on, largest(path.weight) > real(0.0f));
+}
+
+/// Puts particles in the places of surfaces, in lanes where they are met.
+FN void take_particle(Particle particle, Ray ray, INOUT(Surface) s, INOUT(Lobes) lobes, INOUT(Scatter) scatter,
+                      INOUT(ShadingFrame) basis) {
+    real3 black = real3(real(0.0f));
+    mask met = particle.met;
+    s.position = select(met, point_at(ray, particle.t), s.position);
+    s.normal = select(met, -ray.direction, s.normal);
+    s.geometric_normal = select(met, -ray.direction, s.geometric_normal);
+    s.error = select(met, real(0.0f), s.error);
+    s.material = select(met, word(0u), s.material);
+    ShadingFrame around = frame_around(-ray.direction);
+    basis.x = select(met, around.x, basis.x);
+    basis.y = select(met, around.y, basis.y);
+    basis.z = select(met, around.z, basis.z);
+    lobes.emission = select(met, black, lobes.emission);
+    lobes.ambient = select(met, black, lobes.ambient);
+    lobes.reflectance = select(met, black, lobes.reflectance);
+    lobes.transmittance = select(met, black, lobes.transmittance);
+    lobes.patterned = mask_and(lobes.patterned, mask_not(met));
+    scatter.rough = select(met, real(1.0f), scatter.rough);
+    scatter.mirrored = select(met, real(0.0f), scatter.mirrored);
+    scatter.through = select(met, real(0.0f), scatter.through);
+    scatter.gloss = select(met, real(0.0f), scatter.gloss);
+    scatter.own = mask_and(scatter.own, mask_not(met));
+    scatter.clear = mask_and(scatter.clear, mask_not(met));
+    scatter.particle = met;
+    scatter.phase = particle.type;
+    scatter.eccentricity = particle.eccentricity;
 }
 
 /// Where materials have reflection models of their own, these take the place of the lobes.
@@ -179,11 +235,21 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     mask found = mask_and(path.alive, hit.geometry != word(NONE));
     mask missed = mask_and(path.alive, hit.geometry == word(NONE));
     real reach = select(found, hit.t, real(3.0e38f));
-    cross_air(SCENE_ path.ray, reach, path.media, path.alive, path.weight, radiance, counts);
+    Particle particle = no_particle();
+#ifdef __cplusplus
+    if (FEATURE(FEATURE_MEDIA)) {
+        particle = track_media(SCENE_ reach, path, radiance);
+        reach = select(particle.met, particle.t, reach);
+        mask left = largest(abs(path.weight)) > real(0.0f);
+        found = mask_and(found, mask_and(left, mask_not(particle.met)));
+        missed = mask_and(missed, mask_and(left, mask_not(particle.met)));
+    }
+#endif
+    cross_fog(SCENE_ path.ray, reach, path.media, path.alive, path.weight, radiance);
     if (any_lane(missed))
         radiance = radiance + select(missed, path.weight * background_met(SCENE_ path, missed), black);
-    path.alive = found;
-    if (!any_lane(found)) return;
+    path.alive = mask_or(found, particle.met);
+    if (!any_lane(path.alive)) return;
 
     Surface s;
     Lobes lobes;
@@ -213,12 +279,16 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     ShadingFrame basis = frame_around(s.normal);
     BsdfPoint point;
     if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, basis, point);
+    if (FEATURE(FEATURE_MEDIA)) {
+        take_particle(particle, path.ray, s, lobes, scatter, basis);
+        found = mask_or(found, particle.met);
+    }
     real3 emission = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     if (any_lane(mask_and(found, largest(emission) > real(0.0f)))) {
         real share = real(1.0f);
         mask chosen = mask_and(found, path.density > real(0.0f));
         if (any_lane(chosen)) {
-            real other = emitter_density(SCENE_ path.ray, hit, s, chosen);
+            real other = emitter_density(SCENE_ path.ray, hit, path.passed, s, chosen);
             share = select(chosen, power_heuristic(path.density, other), share);
         }
         radiance = radiance + select(found, path.weight * emission * share, black);
@@ -236,10 +306,12 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         }
     }
     mask goes_on = mask_and(found, mask_not(ends));
+    if (FEATURE(FEATURE_VEILS)) goes_on = mask_or(goes_on, mask_and(found, scatter.through > real(0.0f)));
     path.alive = goes_on;
     if (!any_lane(goes_on)) return;
     real2 direction = sample_pair(path.draws, dimension);
-    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, basis, direction, picks.x, goes_on, path);
+    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, basis, direction, picks.x, ends, hit.t, goes_on,
+                 path);
     path.vertices = path.vertices + word(1u);
     play_roulette(path);
 }

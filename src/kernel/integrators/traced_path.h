@@ -15,6 +15,7 @@ struct TracedPath {
     word vertices;  ///< Surfaces met so far.
     word kind;      ///< RAY_*
     real density;   ///< Over solid angle, with which the ray's direction was drawn; 0: it was the only one.
+    real passed;    ///< If FEATURE_VEILS: how far the ray's origin is from where that was, as it came straight through.
     PathSample draws;
     real spectrum;  ///< If FEATURE_DISPERSION: the place in the spectrum by which it is refracted,
     mask colored;   ///< and where it has been, so that it has that colour.
@@ -31,6 +32,7 @@ FN TracedPath begun_path(SCENE Ray ray, PathSample draws, mask alive) {
     path.vertices = word(0u);
     path.kind = word(RAY_CAMERA);
     path.density = real(0.0f);
+    path.passed = real(0.0f);
     path.draws = draws;
     path.spectrum = real(0.5f);
     path.colored = mask(false);
@@ -53,6 +55,7 @@ FN void take_path(mask m, TracedPath other, INOUT(TracedPath) path) {
     path.density = select(m, other.density, path.density);
     path.draws.pixel = select(m, other.draws.pixel, path.draws.pixel);
     path.draws.index = select(m, other.draws.index, path.draws.index);
+    path.passed = select(m, other.passed, path.passed);
     path.spectrum = select(m, other.spectrum, path.spectrum);
     path.colored = select_mask(m, other.colored, path.colored);
     path.insides.inner = select(m, other.insides.inner, path.insides.inner);

@@ -129,14 +129,16 @@ FN EmitterSample sample_sphere(SCENE EmitterChoice choice, real3 point, real2 u,
     return drawn;
 }
 
-/// With which density over solid angle a shining surface that a ray met would have been drawn from the ray's origin; 0
-/// where it is on no list.
-FN real emitter_density(SCENE Ray ray, Hit hit, Surface s, mask found) {
+/// With which density over solid angle a shining surface that a ray met would have been drawn from `passed` before the
+/// ray's origin; 0 where it is on no list.
+FN real emitter_density(SCENE Ray ray, Hit hit, real passed, Surface s, mask found) {
     real power = FIELD(materials, s.material, emission_power);
     mask listed = mask_and(found, power > real(0.0f));
     if (!any_lane(listed)) return real(0.0f);
     real cosine_there = abs(dot(s.geometric_normal, ray.direction));
-    real density = power * (1.0f / max(FRAME.emitted_power, 1e-30f)) * hit.t * hit.t / max(cosine_there, real(1e-6f));
+    real distance = hit.t + passed;
+    real density =
+        power * (1.0f / max(FRAME.emitted_power, 1e-30f)) * distance * distance / max(cosine_there, real(1e-6f));
     if (FEATURE(FEATURE_ANALYTIC)) {
         word kind = FIELD(geometries, s.geometry, kind);
         mask is_sphere = mask_and(listed, kind == word(GEOMETRY_SPHERE));
@@ -144,6 +146,7 @@ FN real emitter_density(SCENE Ray ray, Hit hit, Surface s, mask found) {
             word sphere = valid_index(is_sphere, s.primitive);
             real radius = FIELD(spheres, sphere, radius);
             real3 to_center = placed_point(SCENE_ s.geometry, FIELD(spheres, sphere, center)) - ray.origin;
+            if (FEATURE(FEATURE_VEILS)) to_center = to_center + ray.direction * passed;
             real view = sphere_view(radius, max(dot(to_center, to_center), real(1e-30f)));
             real probability = power * (1.0f / max(FRAME.emitted_power, 1e-30f)) * 12.5663706f * radius * radius;
             density = select(is_sphere, probability / (6.28318531f * view), density);

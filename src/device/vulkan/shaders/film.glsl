@@ -4,10 +4,12 @@
 
 layout(local_size_x = GROUP_WIDTH, local_size_y = GROUP_HEIGHT) in;
 
-layout(scalar, set = 0, binding = BINDING_RADIANCE) restrict buffer radiance_buffer { vec4 radiance_sums[]; };
+/// Low and high halves of the number of rays, then of shadow rays; then the pixels.
+layout(scalar, set = 0, binding = BINDING_RADIANCE) restrict buffer radiance_buffer {
+    uint counters[4];
+    vec4 radiance_sums[];
+};
 layout(scalar, set = 0, binding = BINDING_AOVS) restrict buffer aovs_buffer { PixelAovs pixel_aovs[]; };
-/// Low and high halves of the number of rays, then of shadow rays.
-layout(scalar, set = 0, binding = BINDING_COUNTERS) restrict buffer counters_buffer { uint counters[4]; };
 layout(scalar, push_constant) uniform dispatch_block { Dispatch work; };
 
 void count(uint place, uint rays) {
