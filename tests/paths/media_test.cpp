@@ -156,7 +156,10 @@ TEST_F(PathsInMedia, ThinOnesAreThoseOfWhitted) {
     for (const int type : {1, 2, 3, 4, 5}) {
         scene_.objects.clear();
         scene_.materials.clear();
-        add_box({-20, 2, -20}, {20, 6, 20}, {scattering(0.002F, type, 0.5F)});
+        scene::Medium medium = scattering(0.01F, type, 0.5F);
+        medium.method = 2;
+        medium.samples = medium.samples_most = 100;
+        add_box({-2, 2, -2}, {2, 6, 2}, {medium});
         options_.integrator = kernel::INTEGRATOR_WHITTED;
         const float whitted = mean(1);
         options_.integrator = kernel::INTEGRATOR_PATH;

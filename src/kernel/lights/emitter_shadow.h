@@ -100,8 +100,11 @@ FN_LARGE real3 emitter_visibility(SCENE Ray ray, MediaInsides insides, mask aliv
         alive = mask_and(alive, found);
         if (!FEATURE(FEATURE_VEILS) || !any_lane(alive)) return transmittance;
         if (FEATURE(FEATURE_HOLLOW)) insides = media_beyond(SCENE_ s, insides, alive);
-        ray.origin = select(alive, s.position - s.geometric_normal * s.error, ray.origin);
-        ray.t_max = ray.t_max - hit.t;
+        // On along the very same line, for it ends short of what shines by no more than rounding.
+        real facing = abs(dot(s.geometric_normal, ray.direction));
+        real behind = hit.t + 2.0f * s.error / max(facing, real(1e-3f));
+        ray.origin = select(alive, point_at(ray, behind), ray.origin);
+        ray.t_max = ray.t_max - select(alive, behind, real(0.0f));
         alive = mask_and(alive, ray.t_max > real(0.0f));
     }
     return select(alive, black, transmittance);
