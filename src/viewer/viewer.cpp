@@ -138,7 +138,7 @@ Viewer::Viewer(const ViewOptions& options, std::shared_ptr<const LoadedScene> sc
       window_(shown_name(options, *scene_) + " - Sundog", first_window_size(options, *scene_),
               options.fullscreen || scene_->scene.settings.fullscreen.value_or(false)),
       imgui_(window_.sdl_window(), window_.sdl_renderer(), kFont_px),
-      reloader_(options.scene_file, scene_, options.change),
+      reloader_(options.scene_file, scene_, options.change, options.choices),
       device_in_use_(device->info().kind),
       devices_(std::async(std::launch::async, device_choices)),
       step_began_s_(seconds_now()),
@@ -354,7 +354,7 @@ void Viewer::draw() {
 
 void run(const ViewOptions& options, const WarningSink& warn) {
     auto device = open_device(options.device, options.threads, options.acceleration);
-    auto scene = load_scene(options.scene_file, options.change);
+    auto scene = load_scene(options.scene_file, options.change, options.choices);
     if (warn) {
         for (const Diagnostic& warning : scene->warnings) warn(warning);
     }
