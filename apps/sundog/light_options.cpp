@@ -56,14 +56,6 @@ std::optional<float> LightArguments::pick_focus(const Frame& frame, Session& ses
     return seen.axis_depth;
 }
 
-std::string LightArguments::device_for(std::string asked) const {
-    if (integrator == kernel::INTEGRATOR_WHITTED) return asked;
-    if (asked == "gpu")
-        throw UsageError("--integrator path and occlusion are for the CPU, which --device gpu doesn't use",
-                         "leave one of them out");
-    return "cpu";
-}
-
 void add_light_options(CLI::App& command, LightArguments& a) {
     using Text = const std::string&;
     command

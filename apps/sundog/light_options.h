@@ -33,8 +33,6 @@ struct LightArguments {
     /// The distance along the view axis of what the picked pixel sees; nothing where none is picked. Errors: UsageError
     /// for a pixel outside of the picture, or one that sees nothing.
     [[nodiscard]] std::optional<float> pick_focus(const Frame& frame, Session& session) const;
-    /// The device that such pictures are made on, for the one that was asked for. Errors: UsageError.
-    [[nodiscard]] std::string device_for(std::string asked) const;
 };
 
 /// Gives a command the options; `arguments` must outlive it.

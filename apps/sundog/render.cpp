@@ -108,7 +108,6 @@ int render(RenderArguments arguments) {
     if (arguments.denoise) check_denoising(arguments);
     check_shutter(arguments);
     check_primary(arguments);
-    arguments.device = arguments.light.device_for(arguments.device);
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");

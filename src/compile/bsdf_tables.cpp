@@ -59,9 +59,9 @@ std::vector<float> make_tables() {
             const float cosine_there = static_cast<float>(column) / (kSide - 1);
             const real2 factors = ggx_factors(cosine_there, roughness);
             const uint at = row * kSide + column;
-            tables[BSDF_TABLE_GGX + 2 * at] = factors.x;
-            tables[BSDF_TABLE_GGX + 2 * at + 1] = factors.y;
-            tables[BSDF_TABLE_SHEEN + at] = sheen_factor(cosine_there, roughness);
+            tables[BSDF_TABLE_GGX - BSDF_TABLES_FIRST + 2 * at] = factors.x;
+            tables[BSDF_TABLE_GGX - BSDF_TABLES_FIRST + 2 * at + 1] = factors.y;
+            tables[BSDF_TABLE_SHEEN - BSDF_TABLES_FIRST + at] = sheen_factor(cosine_there, roughness);
         }
         // The mean over the hemisphere of what looking up between entries gives.
         for (uint i = 0; i < kSamples; ++i) {
@@ -69,13 +69,13 @@ std::vector<float> make_tables() {
             const float x = c * (kSide - 1);
             const uint column = std::min(static_cast<uint>(x), kSide - 2);
             const float f = x - static_cast<float>(column);
-            const float* const entry = &tables[BSDF_TABLE_GGX + 2 * (row * kSide + column)];
+            const float* const entry = &tables[BSDF_TABLE_GGX - BSDF_TABLES_FIRST + 2 * (row * kSide + column)];
             mean_first += c * (entry[0] * (1 - f) + entry[2] * f);
             mean_second += c * (entry[1] * (1 - f) + entry[3] * f);
             weights += c;
         }
-        tables[BSDF_TABLE_GGX_MEANS + 2 * row] = static_cast<float>(mean_first / weights);
-        tables[BSDF_TABLE_GGX_MEANS + 2 * row + 1] = static_cast<float>(mean_second / weights);
+        tables[BSDF_TABLE_GGX_MEANS - BSDF_TABLES_FIRST + 2 * row] = static_cast<float>(mean_first / weights);
+        tables[BSDF_TABLE_GGX_MEANS - BSDF_TABLES_FIRST + 2 * row + 1] = static_cast<float>(mean_second / weights);
     }
     return tables;
 }

@@ -35,7 +35,7 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
     }
     out.texels.reserve(total);
     for (const scene::Texture& t : scene.textures) out.texels.insert(out.texels.end(), t.rgba8.begin(), t.rgba8.end());
-    out.linear_values.assign(linear_of_srgb8().begin(), linear_of_srgb8().end());
+    out.tables.assign(linear_of_srgb8().begin(), linear_of_srgb8().end());
 }
 
 /// The material's reflection model, if it has one, as the last of them.
@@ -105,7 +105,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
         out.materials.push_back(compile_material(scene::MtlSurface{}, no_maps()));
         out.materials.back().bsdf = kernel::NONE;
     }
-    if (!out.bsdfs.empty()) out.bsdf_tables = bsdf_tables();
+    if (!out.bsdfs.empty()) out.tables.insert(out.tables.end(), bsdf_tables().begin(), bsdf_tables().end());
 }
 
 /// What of the camera the kernel doesn't have.
@@ -287,13 +287,33 @@ Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
     return world;
 }
 
+bool has_map(const RenderScene& scene, const kernel::Bsdf& bsdf, std::uint32_t which) {
+    return bsdf.maps != kernel::NONE && scene.bsdf_maps[bsdf.maps].map[which].texture != kernel::NONE;
+}
+
+/// Whether light may pass a material without being bent, as kernel/lights/emitter_shadow.h has it.
+bool is_veil(const RenderScene& scene, const kernel::Material& material) {
+    if ((material.flags & kernel::MATERIAL_TRANSPARENT) == 0) return false;
+    if (material.bsdf != kernel::NONE) {
+        const kernel::Bsdf& bsdf = scene.bsdfs[material.bsdf];
+        return bsdf.opacity < 1 || (material.flags & kernel::MATERIAL_VERTEX_ALPHA) != 0 ||
+               has_map(scene, bsdf, kernel::BSDF_MAP_OPACITY);
+    }
+    if ((material.flags & kernel::MATERIAL_PATTERNED) != 0)
+        return scene.interiors[scene.patterned[material.patterned].interior].ior == 1;
+    return material.ior == 1;
+}
+
 std::uint32_t features_of(const RenderScene& scene, const kernel::Material& material) {
-    std::uint32_t bsdf = material.bsdf != kernel::NONE ? kernel::FEATURE_BSDF : 0U;
-    if (bsdf != 0 && scene.bsdfs[material.bsdf].dispersion > 0) bsdf |= kernel::FEATURE_DISPERSION;
-    const std::uint32_t maps = bsdf != 0 ? scene.bsdfs[material.bsdf].maps : kernel::NONE;
-    if (maps != kernel::NONE && scene.bsdf_maps[maps].map[kernel::BSDF_MAP_COAT_NORMAL].texture != kernel::NONE)
-        bsdf |= kernel::FEATURE_BUMP;
-    return bsdf | material_features(material, scene.material_maps[material.maps]) | pattern_features(scene, material);
+    std::uint32_t features = material.bsdf != kernel::NONE ? kernel::FEATURE_BSDF : 0U;
+    if (is_veil(scene, material)) features |= kernel::FEATURE_VEILS;
+    if (features & kernel::FEATURE_BSDF) {
+        const kernel::Bsdf& bsdf = scene.bsdfs[material.bsdf];
+        if (bsdf.dispersion > 0) features |= kernel::FEATURE_DISPERSION;
+        if (has_map(scene, bsdf, kernel::BSDF_MAP_COAT_NORMAL)) features |= kernel::FEATURE_BUMP;
+    }
+    return features | material_features(material, scene.material_maps[material.maps]) |
+           pattern_features(scene, material);
 }
 
 std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, bool moving) {

@@ -91,9 +91,9 @@ TEST(Compile, AnEmptySceneHasNoEmptyArrays) {
 #undef KERNEL_ARRAYS_SCENE_ONLY
     EXPECT_EQ(compiled->features, 0U);
     EXPECT_TRUE(compiled->bounds.empty());
-    EXPECT_EQ(compiled->linear_values.size(), 256U);
-    EXPECT_EQ(compiled->linear_values[255], 1);
-    EXPECT_NEAR(compiled->linear_values[128], 0.2158605F, 1e-6F);
+    EXPECT_EQ(compiled->tables.size(), 256U);
+    EXPECT_EQ(compiled->tables[255], 1);
+    EXPECT_NEAR(compiled->tables[128], 0.2158605F, 1e-6F);
 }
 
 // Catches planes that are not normalised or that name another geometry than their own.

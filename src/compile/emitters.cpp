@@ -2,6 +2,7 @@
 #include "compile/emitters.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -94,10 +95,10 @@ void compile_environment(const scene::Environment& environment, RenderScene& out
     out.environment_mean = mean_luminance(environment);
     e.cells_wide = std::min(e.width, kMostCells);
     e.cells_high = std::min(e.height, kMostCells / 2);
-    out.linear_values.resize(kernel::ENVIRONMENT_FIRST);
-    out.linear_values.reserve(kernel::ENVIRONMENT_FIRST + 3 * environment.radiance.size());
-    for (const Vec3& pixel : environment.radiance)
-        out.linear_values.insert(out.linear_values.end(), {pixel.x, pixel.y, pixel.z});
+    out.tables.resize(kernel::ENVIRONMENT_FIRST);
+    out.tables.reserve(kernel::ENVIRONMENT_FIRST +
+                       3 * (environment.radiance.size() + std::size_t{e.cells_wide} * e.cells_high));
+    for (const Vec3& pixel : environment.radiance) out.tables.insert(out.tables.end(), {pixel.x, pixel.y, pixel.z});
 
     const std::size_t cells = std::size_t{e.cells_wide} * e.cells_high;
     std::vector<double> weights(cells, 0.0);
@@ -124,14 +125,13 @@ void compile_environment(const scene::Environment& environment, RenderScene& out
             sum += weights[row * e.cells_wide + column];
         }
     }
-    out.environment_cells.clear();
     if (!(sum > 0) || !std::isfinite(sum)) return;
     const std::vector<AliasEntry> table = alias_table(weights);
-    out.environment_cells.reserve(cells);
+    e.first_cell = static_cast<std::uint32_t>(out.tables.size());
     for (std::size_t i = 0; i < cells; ++i)
-        out.environment_cells.push_back(
-            {table[i].keep, table[i].alias,
-             static_cast<float>(weights[i] / sum * static_cast<double>(cells) / (2 * kPiExact * kPiExact))});
+        out.tables.insert(out.tables.end(), {table[i].keep, std::bit_cast<float>(table[i].alias),
+                                             static_cast<float>(weights[i] / sum * static_cast<double>(cells) /
+                                                                (2 * kPiExact * kPiExact))});
 }
 
 void list_emitters(const RenderScene& compiled, Frame& frame) {
@@ -173,7 +173,7 @@ void list_emitters(const RenderScene& compiled, Frame& frame) {
         frame.emitters.push_back({kernel::EMITTER_LIGHT, i, kernel::NONE, 1, 0, 0});
         power.push_back(weight);
     }
-    const bool surrounded = params.environment.cells_wide > 0 && compiled.environment_cells.size() > 1;
+    const bool surrounded = params.environment.first_cell != 0;
     if (surrounded) {
         const double weight = 4 * kPiExact * disc * compiled.environment_mean;
         if (weight > 0 && std::isfinite(weight)) {

@@ -172,7 +172,9 @@ std::uint32_t append_mesh(const scene::Object& object, const scene::Mesh& mesh, 
                 kernel::vec2* const to = &out.uvs[first_uv + uv_stride * i];
                 *to = to_kernel(mesh.texcoords[i]);
                 if (!attributes.further) continue;
-                put(mesh.attributes.empty() ? scene::Mesh::Attributes{} : mesh.attributes[i], to);
+                scene::Mesh::Attributes plain;
+                plain.second_texcoord = mesh.texcoords[i];
+                put(mesh.attributes.empty() ? plain : mesh.attributes[i], to);
             }
         });
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "compile/convert.h"
 #include "compile/insides_at.h"
 #include "compile/pattern_compiler.h"
+#include "compile/pigment_bound.h"
 #include "fields/pigment_code.h"
 
 namespace sundog {
@@ -213,6 +215,8 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
         out_.code.push_back(static_cast<std::uint32_t>(std::max(m.intervals, 1)));
         put(m.jitter), put(m.ratio);
         out_.code.push_back(m.collects_photons ? 1 : 0);
+        put(std::accumulate(m.densities.begin(), m.densities.end(), 1.0F,
+                            [](float product, const auto& density) { return product * most_of(*density); }));
     }
     return known->second;
 }

@@ -92,7 +92,7 @@ std::array<double, 5> PigmentEvaluator::color(std::uint32_t index, double x, dou
     view.host_fields = &host_;
     view.textures = infos_.data();
     view.texels = texels_.data();
-    view.linear_values = linear_of_srgb8().data();
+    view.tables = linear_of_srgb8().data();
     // Far beyond what single precision can tell apart; so that what is no number has a colour, too.
     const auto kept = [](double v) { return static_cast<float>(v > -1e12 ? std::min(v, 1e12) : -1e12); };
     const kernel::PigmentColor c = kernel::run_program(view, starts_[index], kernel::real3(kept(x), kept(y), kept(z)));

@@ -17,8 +17,9 @@ KERNEL_ARRAY(Geometry, geometries, 9)
 KERNEL_ARRAY(Material, materials, 10)
 KERNEL_ARRAY(TextureInfo, textures, 11)
 KERNEL_ARRAY(uint, texels, 12)
-// What 8-bit sRGB stands for, 256 values; then the environment's picture, three a pixel.
-KERNEL_ARRAY(float, linear_values, 13)
+// What 8-bit sRGB stands for, 256 values; where there are bsdfs, their tables (BSDF_TABLES_FIRST); the environment's
+// picture, three a pixel (ENVIRONMENT_FIRST), and the cells by which it is drawn (Environment::first_cell).
+KERNEL_ARRAY(float, tables, 13)
 KERNEL_ARRAY(PatternedMaterial, patterned, 16)
 KERNEL_ARRAY(Layer, layers, 17)
 KERNEL_ARRAY(uint, code, 18)
@@ -26,18 +27,12 @@ KERNEL_ARRAY(Fog, fogs, 19)
 KERNEL_ARRAY(SkyLayer, sky_layers, 20)
 KERNEL_ARRAY(Interior, interiors, 21)
 KERNEL_ARRAY(MaterialMaps, material_maps, 22)
-#if defined(__cplusplus) && !defined(KERNEL_ARRAYS_OF_SHADERS)
-KERNEL_ARRAY(EnvironmentCell, environment_cells, 32)
-KERNEL_ARRAY(Bsdf, bsdfs, 34)
-KERNEL_ARRAY(BsdfMaps, bsdf_maps, 35)
-KERNEL_ARRAY(float, bsdf_tables, 36)
-#endif
+KERNEL_ARRAY(Bsdf, bsdfs, 23)
+KERNEL_ARRAY(BsdfMaps, bsdf_maps, 24)
 
 // Of the Frame: new for every picture.
 #ifndef KERNEL_ARRAYS_SCENE_ONLY
 KERNEL_ARRAY(Light, lights, 14)
 KERNEL_ARRAY(Instance, instances, 15)
-#if defined(__cplusplus) && !defined(KERNEL_ARRAYS_OF_SHADERS)
-KERNEL_ARRAY(Emitter, emitters, 33)
-#endif
+KERNEL_ARRAY(Emitter, emitters, 25)
 #endif

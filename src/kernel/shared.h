@@ -50,7 +50,6 @@ KERNEL_CONST uint LIGHT_JITTER = 16u;         ///< An area's lights are moved ab
 KERNEL_CONST uint LIGHT_ILLUMINATES = 32u;    ///< An area lights from all of its lights, not only from its middle.
 KERNEL_CONST uint LIGHT_ATTENUATED = 256u;    ///< Fog and the atmosphere's media dim it on its way.
 KERNEL_CONST uint LIGHT_PASSES_MEDIA = 512u;  ///< Media don't scatter it: `media_interaction off`, or without shadows.
-KERNEL_CONST uint LIGHT_MET_BY_PATHS = 32768u;  ///< Paths meet it, so all surfaces stand in its way.
 
 /// What a light does with photons; see Geometry::photons.
 KERNEL_CONST uint LIGHT_PHOTONS_REFRACT = 1024u;
@@ -92,8 +91,8 @@ KERNEL_CONST uint CAMERA_PANORAMIC = 5u;
 KERNEL_CONST uint CAMERA_CYLINDER = 6u;  ///< 6 to 9: types 1 to 4
 KERNEL_CONST uint CAMERA_SPHERICAL = 10u;
 
-/// Where the environment's pixels begin in `linear_values`.
-KERNEL_CONST uint ENVIRONMENT_FIRST = 256u;
+/// Where the environment's pixels begin in `tables`.
+KERNEL_CONST uint ENVIRONMENT_FIRST = 3392u;
 
 /// FrameParams::integrator.
 KERNEL_CONST uint INTEGRATOR_WHITTED = 0u;
@@ -155,12 +154,13 @@ KERNEL_CONST uint BSDF_MAP_OPACITY = 12u;  ///< As MaterialMaps::opacity.
 KERNEL_CONST uint BSDF_MAP_COAT_NORMAL = 13u;
 KERNEL_CONST uint BSDF_MAP_COUNT = 14u;
 
-/// Where what stands in `bsdf_tables`: a table's rows are roughnesses, its columns cosines
+/// Where what stands in `tables` behind the values of sRGB: a table's rows are roughnesses, its columns cosines
 /// (kernel/bsdf/albedo_tables.h).
+KERNEL_CONST uint BSDF_TABLES_FIRST = 256u;
 KERNEL_CONST uint BSDF_TABLE_SIDE = 32u;
-KERNEL_CONST uint BSDF_TABLE_GGX = 0u;           ///< Two numbers each.
-KERNEL_CONST uint BSDF_TABLE_GGX_MEANS = 2048u;  ///< A column of two numbers each.
-KERNEL_CONST uint BSDF_TABLE_SHEEN = 2112u;
+KERNEL_CONST uint BSDF_TABLE_GGX = 256u;         ///< Two numbers each.
+KERNEL_CONST uint BSDF_TABLE_GGX_MEANS = 2304u;  ///< A column of two numbers each.
+KERNEL_CONST uint BSDF_TABLE_SHEEN = 2368u;
 KERNEL_CONST uint BSDF_TABLE_FLOATS = 3136u;
 
 /// Layer::flags.
@@ -340,9 +340,10 @@ KERNEL_CONST uint FEATURE_HOLLOW =
 KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;       ///< Caustics by photons (the CPU device's alone).
 KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;     ///< Some interior brightens shadows (POV-Ray's `caustics`).
 KERNEL_CONST uint FEATURE_ENVIRONMENT = 33554432u;  ///< FrameParams::environment is what rays see that miss all else.
+KERNEL_CONST uint FEATURE_VEILS = 67108864u;        ///< Some material lets light pass that doesn't bend.
 /// Some vertex has a colour, a tangent or second texture coordinates: each has VERTEX_UVS entries of `uvs`.
-KERNEL_CONST uint FEATURE_VERTEX_ATTRIBUTES = 67108864u;
-KERNEL_CONST uint FEATURE_ONE_SIDED = 134217728u;  ///< The eye may see some MATERIAL_ONE_SIDED from behind.
+KERNEL_CONST uint FEATURE_VERTEX_ATTRIBUTES = 134217728u;
+KERNEL_CONST uint FEATURE_ONE_SIDED = 268435456u;  ///< The eye may see some MATERIAL_ONE_SIDED from behind.
 
 /// With FEATURE_VERTEX_ATTRIBUTES, a vertex's entries of `uvs`: its texture coordinates, the second ones, red and
 /// green, blue and alpha, and a tangent's x and y, z and handedness (1 or -1; all 0: it has none).
@@ -355,6 +356,8 @@ KERNEL_CONST uint VERTEX_TANGENT = 4u;
 /// alone.
 KERNEL_CONST uint FEATURES_PLAIN =
     FEATURE_SMOOTH | FEATURE_SHADOWS | FEATURE_MIRRORS | FEATURE_HIGHLIGHTS | FEATURE_ANALYTIC | FEATURE_ONE_SIDED;
+/// The same for its kernel of paths, to which glass is as plain as mirrors are.
+KERNEL_CONST uint FEATURES_PLAIN_PATHS = FEATURES_PLAIN | FEATURE_TRANSPARENT;
 
 /// Most surfaces at which a path may both reflect and refract before the weaker branch is dropped.
 KERNEL_CONST uint MAX_BRANCHES = 16u;
@@ -371,8 +374,8 @@ KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
 /// emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of densities, where their
 /// programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals, jitter, ratio, 1 if photons
-/// are stored there. See kernel/atmosphere/media.h.
-KERNEL_CONST uint MEDIUM_WORDS = 22u;
+/// are stored there, the most that the product of the densities can be. See kernel/atmosphere/media.h.
+KERNEL_CONST uint MEDIUM_WORDS = 23u;
 /// Rainbows in `code`: their count, then RAINBOW_WORDS each: direction (unit), up (unit, across it), angle, one over
 /// the width, distance, jitter, half the arc and half of what of it is there in full (radians), the program of its
 /// colours along x. See kernel/atmosphere/rainbow.h.
@@ -569,18 +572,15 @@ struct Emitter {
     float probability;
 };
 
-/// A cell of the environment, as an entry of an alias table.
-struct EnvironmentCell {
-    float keep;
-    uint alias;
-    float density;  ///< Over solid angle, of a direction in it, times the sine of its angle to the axis.
-};
-
 /// What is around the scene, infinitely far away: see kernel/atmosphere/environment.h.
 struct Environment {
     vec3 up, middle, right;       ///< Unit: the axis, the direction of the picture's middle, and that to its right.
-    uint width, height;           ///< Of the picture, in `linear_values`.
-    uint cells_wide, cells_high;  ///< Of the grid by which directions are drawn, in `environment_cells`.
+    uint width, height;           ///< Of the picture, in `tables`.
+    uint cells_wide, cells_high;  ///< Of the grid by which directions are drawn.
+    /// Where its cells begin in `tables`, entries of an alias table: share of an entry's turns that are its own, whose
+    /// the others are (the bits of that number), and the density over solid angle of a direction in the cell, times the
+    /// sine of its angle to the axis. 0: all is dark.
+    uint first_cell;
     float gain;
     float probability;  ///< With which it is drawn among the emitters.
 };

@@ -246,9 +246,8 @@ void Viewer::submit() {
     const PixelSize size = window_.size_px();
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const float time_s = scene_->scene.settings.freeze_s.value_or(playback_.time_s());
-    // Paths are the CPU's.
-    const std::string device = controls_.integrator == kernel::INTEGRATOR_WHITTED ? controls_.device : "cpu";
-    ViewRequest request{scene_at(time_s), device, {}, controls_.exposure, controls_.denoise, controls_.show_rays};
+    ViewRequest request{scene_at(time_s),   controls_.device,  {},
+                        controls_.exposure, controls_.denoise, controls_.show_rays};
     FrameOptions& frame = request.options;
     frame.width = size.width;
     frame.height = size.height;

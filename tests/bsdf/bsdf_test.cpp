@@ -121,7 +121,10 @@ std::vector<Model> models() {
 
 class Bsdf : public testing::Test {
 protected:
-    Bsdf() { scene_.bsdf_tables = bsdf_tables().data(); }
+    Bsdf() {
+        tables_.insert(tables_.end(), bsdf_tables().begin(), bsdf_tables().end());
+        scene_.tables = tables_.data();
+    }
 
     real3 value(const Model& m, real3 to_eye, real3 to_light, float* density = nullptr) {
         real3 v(0.0F);
@@ -135,6 +138,7 @@ protected:
         return bsdf_direction(scene_, m.kind, m.point, to_eye, sample_pair(path, 0), sample_pair(path, 1).x);
     }
 
+    std::vector<float> tables_ = std::vector<float>(BSDF_TABLES_FIRST);
     SceneView scene_{};
 };
 

@@ -4,40 +4,12 @@
 
 #include <cmath>
 
-#include "scenes/scene_builder.h"
+#include "scenes/media_builder.h"
 
 namespace sundog {
 namespace {
 
 using namespace test;
-
-scene::Material clear_material(std::vector<scene::Medium> media, bool hollow = true) {
-    auto pigment = std::make_shared<scene::Pigment>();
-    pigment->color = {1, 1, 1, 0, 1};
-    auto texture = std::make_shared<scene::LayeredTexture>();
-    texture->layers.push_back({pigment, {}});
-    scene::Material material;
-    material.patterned->texture = texture;
-    material.patterned->hollow = hollow;
-    if (!media.empty()) {
-        scene::Interior interior;
-        interior.media = std::make_shared<const std::vector<scene::Medium>>(std::move(media));
-        material.patterned->interior = std::make_shared<const scene::Interior>(std::move(interior));
-    }
-    return material;
-}
-
-scene::Medium absorbing(float amount) {
-    scene::Medium medium;
-    medium.absorption = {amount, amount, amount};
-    return medium;
-}
-
-scene::Medium emitting(float amount) {
-    scene::Medium medium;
-    medium.emission = {amount, amount, amount};
-    return medium;
-}
 
 class MediaScene : public testing::Test {
 protected:

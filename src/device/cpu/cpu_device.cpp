@@ -419,8 +419,9 @@ private:
 
     void run_kernel(const Frame& frame, const PixelRect& tile, const RenderWork& work, Film& film, Totals& totals,
                     const cpu::RasterisedTile* rasterised = nullptr) const {
-        const bool plain = (frame.params.features & ~kernel::FEATURES_PLAIN) == 0;
         const bool paths = frame.params.integrator != kernel::INTEGRATOR_WHITTED;
+        const std::uint32_t plain_features = paths ? kernel::FEATURES_PLAIN_PATHS : kernel::FEATURES_PLAIN;
+        const bool plain = (frame.params.features & ~plain_features) == 0;
         const cpu::TileKernel run =
             paths ? (plain ? plain_path_kernel_ : path_kernel_) : (plain ? plain_kernel_ : kernel_);
         const cpu::TileRays done =

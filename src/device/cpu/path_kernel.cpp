@@ -5,27 +5,12 @@
 #include "device/cpu/tile_kernel.h"
 // After the traversal, which this asks.
 #include "kernel/integrators/occlusion.h"
+#include "kernel/integrators/path_samples.h"
 #include "kernel/integrators/path_tracing.h"
 
 #include "device/cpu/block.h"
 
 KERNEL_BEGIN
-
-/// Of samples whose numbers differ in bits above these, paths of a pixel are scrambled anew.
-inline uint block_bits(const PixelSampling& sampling) {
-    return sampling.pattern == SAMPLES_SOBOL && sampling.cells > 1U && std::has_single_bit(sampling.cells)
-               ? static_cast<uint>(std::countr_zero(sampling.cells))
-               : 32U;
-}
-
-/// What a path brought, as linear light.
-FN real3 path_light(const SceneView& scene, real3 radiance) {
-    if (scene.frame.most_radiance > 0.0f) {
-        const real most = largest(radiance);
-        radiance = radiance * min(real(scene.frame.most_radiance) / max(most, real(1e-30F)), real(1.0F));
-    }
-    return linear_light(scene, radiance);
-}
 
 /// A block's paths. Each lane traces its pixel's, one after the other, and begins the next where one has ended: so
 /// lanes are busy until the last paths, whatever the lengths.
@@ -35,8 +20,7 @@ inline BlockResult trace_paths(const SceneView& view, int x0, int y0, mask in_im
     if (work.first_sample > 0) add_sums_so_far(x0, y0, work, block);
     block.first = nothing_met();
     const CameraRays* const camera = work.frame.camera_rays.get();
-    const word pixel = hash_word(hash_word(word(std::bit_cast<vuint>(pixels.x))) +
-                                 word(std::bit_cast<vuint>(pixels.y)) + word(view.frame.seed));
+    const word pixel = pixel_hash(view, word(std::bit_cast<vuint>(pixels.x)), word(std::bit_cast<vuint>(pixels.y)));
     const uint bits = block_bits(view.frame.sampling);
     const word end(work.first_sample + work.sample_count);
     word next(work.first_sample);
@@ -48,14 +32,8 @@ inline BlockResult trace_paths(const SceneView& view, int x0, int y0, mask in_im
     while (true) {
         const mask begins = mask_and(in_image, mask_and(mask_not(path.alive), next < end));
         if (any_lane(begins)) {
-            PathSample sample{pixel, next};
-            if (bits < 32U) {
-                sample.pixel = hash_word(pixel + (next >> bits));
-                sample.index = next & word((1U << bits) - 1U);
-            }
-            const real2 place = sample_pair(sample, word(0U));
-            PixelSample here{place.x, place.y, real(1.0F)};
-            here = filtered_sample(view.frame.sampling, here);
+            const PathSample sample = path_sample(pixel, next, bits);
+            const PixelSample here = path_place(view, sample);
             const real x = (real(__builtin_convertvector(pixels.x, vfloat)) + here.x) *
                            (1.0F / static_cast<float>(view.frame.width));
             const real y = (real(__builtin_convertvector(pixels.y, vfloat)) + here.y) *

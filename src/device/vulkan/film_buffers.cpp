@@ -12,6 +12,7 @@ namespace {
 using kernel::PixelAovs;
 using Sum = std::array<float, 4>;
 
+/// The ray counters, at the beginning of the buffer of radiance.
 constexpr std::size_t kCounterBytes = 4 * sizeof(std::uint32_t);
 
 std::uint64_t pixels_of(const PixelRect& rect) {
@@ -32,8 +33,9 @@ void full_barrier(const Gpu& gpu, VkCommandBuffer commands) {
     gpu.functions().vkCmdPipelineBarrier(commands, stages, stages, 0, 1, &barrier, 0, nullptr, 0, nullptr);
 }
 
-void copy(const Gpu& gpu, VkCommandBuffer commands, const Buffer& from, const Buffer& to, std::size_t bytes) {
-    const VkBufferCopy region{0, 0, bytes};
+void copy(const Gpu& gpu, VkCommandBuffer commands, const Buffer& from, const Buffer& to, std::size_t first,
+          std::size_t bytes) {
+    const VkBufferCopy region{first, first, bytes};
     gpu.functions().vkCmdCopyBuffer(commands, from.get(), to.get(), 1, &region);
 }
 
@@ -52,19 +54,14 @@ void store_aovs(const PixelAovs& values, std::size_t at, Film& film) {
 
 std::uint64_t FilmBuffers::most_pixels(const Adapter& adapter, std::uint32_t aovs) {
     const std::uint64_t bytes = aovs != 0 ? sizeof(PixelAovs) : sizeof(Sum);
-    return std::min(adapter.max_storage_buffer_bytes, adapter.max_allocation_bytes) / bytes;
+    return (std::min(adapter.max_storage_buffer_bytes, adapter.max_allocation_bytes) - kCounterBytes) / bytes;
 }
 
 void FilmBuffers::reserve(Gpu& gpu, Pipelines& pipelines, std::uint64_t pixels, std::uint32_t aovs) {
     constexpr VkBufferUsageFlags both = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | both;
-    if (!counters_.get()) {
-        counters_ = Buffer(gpu, kCounterBytes, storage, Memory::device, "ray counters");
-        host_counters_ = Buffer(gpu, kCounterBytes, both, Memory::readback, "ray counters, on the host");
-        pipelines.bind(kernel::BINDING_COUNTERS, counters_);
-    }
     if (pixels > pixels_) {
-        const std::size_t bytes = pixels * sizeof(Sum);
+        const std::size_t bytes = kCounterBytes + pixels * sizeof(Sum);
         radiance_ = Buffer(gpu, bytes, storage, Memory::device, "radiance");
         host_radiance_ = Buffer(gpu, bytes, both, Memory::readback, "radiance, on the host");
         pipelines.bind(kernel::BINDING_RADIANCE, radiance_);
@@ -82,7 +79,7 @@ void FilmBuffers::reserve(Gpu& gpu, Pipelines& pipelines, std::uint64_t pixels, 
 
 void FilmBuffers::fetch(const Gpu& gpu, const Film& film, const PixelRect& rect) {
     const std::size_t row_bytes = static_cast<std::size_t>(rect.width()) * sizeof(Sum);
-    std::byte* to = host_radiance_.mapped().data();
+    std::byte* to = host_radiance_.mapped().data() + kCounterBytes;
     for (int y = rect.y0; y < rect.y1; ++y, to += row_bytes) {
         std::memcpy(to, &film.radiance[film.index(rect.x0, y)], row_bytes);
     }
@@ -90,24 +87,22 @@ void FilmBuffers::fetch(const Gpu& gpu, const Film& film, const PixelRect& rect)
 }
 
 void FilmBuffers::record_before(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool continues) const {
-    gpu.functions().vkCmdFillBuffer(commands, counters_.get(), 0, VK_WHOLE_SIZE, 0);
-    if (continues) copy(gpu, commands, host_radiance_, radiance_, pixels_of(rect) * sizeof(Sum));
+    gpu.functions().vkCmdFillBuffer(commands, radiance_.get(), 0, kCounterBytes, 0);
+    if (continues) copy(gpu, commands, host_radiance_, radiance_, kCounterBytes, pixels_of(rect) * sizeof(Sum));
     full_barrier(gpu, commands);
 }
 
 void FilmBuffers::record_after(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool with_aovs) const {
     full_barrier(gpu, commands);
-    copy(gpu, commands, radiance_, host_radiance_, pixels_of(rect) * sizeof(Sum));
-    copy(gpu, commands, counters_, host_counters_, kCounterBytes);
-    if (with_aovs) copy(gpu, commands, aov_values_, host_aovs_, pixels_of(rect) * sizeof(PixelAovs));
+    copy(gpu, commands, radiance_, host_radiance_, 0, kCounterBytes + pixels_of(rect) * sizeof(Sum));
+    if (with_aovs) copy(gpu, commands, aov_values_, host_aovs_, 0, pixels_of(rect) * sizeof(PixelAovs));
     full_barrier(gpu, commands);
 }
 
 RayTotals FilmBuffers::store(const Gpu& gpu, Film& film, const PixelRect& rect, std::uint32_t first_sample) const {
     host_radiance_.invalidate(gpu);
-    host_counters_.invalidate(gpu);
     const std::size_t row_bytes = static_cast<std::size_t>(rect.width()) * sizeof(Sum);
-    const std::byte* from = host_radiance_.mapped().data();
+    const std::byte* from = host_radiance_.mapped().data() + kCounterBytes;
     for (int y = rect.y0; y < rect.y1; ++y, from += row_bytes) {
         std::memcpy(&film.radiance[film.index(rect.x0, y)], from, row_bytes);
     }
@@ -126,7 +121,7 @@ RayTotals FilmBuffers::store(const Gpu& gpu, Film& film, const PixelRect& rect, 
         }
     }
     std::array<std::uint32_t, 4> counters{};
-    std::memcpy(counters.data(), host_counters_.mapped().data(), kCounterBytes);
+    std::memcpy(counters.data(), host_radiance_.mapped().data(), kCounterBytes);
     const auto join = [](std::uint64_t low, std::uint64_t high) { return high << 32U | low; };
     return {join(counters[0], counters[1]), join(counters[2], counters[3])};
 }

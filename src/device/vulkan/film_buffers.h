@@ -35,8 +35,8 @@ public:
 
 private:
     std::uint64_t pixels_ = 0, aov_pixels_ = 0;  // room
-    Buffer radiance_, aov_values_, counters_;
-    Buffer host_radiance_, host_aovs_, host_counters_;
+    Buffer radiance_, aov_values_;
+    Buffer host_radiance_, host_aovs_;
 };
 
 }  // namespace sundog::vulkan

@@ -152,11 +152,11 @@ Adapter probe(const Instance& instance, VkPhysicalDevice physical_device) {
     } else if ((properties11.subgroupSupportedOperations & needed_subgroup) != needed_subgroup ||
                !(properties11.subgroupSupportedStages & VK_SHADER_STAGE_COMPUTE_BIT)) {
         adapter.why_unusable = "its driver lacks subgroup arithmetic in compute shaders";
-    } else if (limits.maxPerStageDescriptorStorageBuffers < kernel::BINDING_COUNT ||
-               limits.maxDescriptorSetStorageBuffers < kernel::BINDING_COUNT) {
+    } else if (limits.maxPerStageDescriptorStorageBuffers < kernel::BINDING_FRAME ||
+               limits.maxDescriptorSetStorageBuffers < kernel::BINDING_FRAME) {
         adapter.why_unusable = "its shaders read at most " +
                                std::to_string(limits.maxPerStageDescriptorStorageBuffers) + " buffers, " +
-                               std::to_string(kernel::BINDING_COUNT) + " are needed";
+                               std::to_string(kernel::BINDING_FRAME) + " are needed";
     } else if (limits.maxComputeWorkGroupInvocations < kernel::GROUP_WIDTH * kernel::GROUP_HEIGHT) {
         adapter.why_unusable =
             "its workgroups hold at most " + std::to_string(limits.maxComputeWorkGroupInvocations) + " invocations";

@@ -14,17 +14,19 @@ VkDescriptorType type_of(std::uint32_t binding, std::uint32_t binding_count) {
 
 }  // namespace
 
-Pipelines::Pipelines(const Gpu& gpu, std::span<const std::uint32_t> spirv, std::uint32_t binding_count,
-                     std::uint32_t push_constant_bytes)
+Pipelines::Pipelines(const Gpu& gpu, std::initializer_list<std::span<const std::uint32_t>> shaders,
+                     std::uint32_t binding_count, std::uint32_t push_constant_bytes)
     : gpu_(gpu), binding_count_(binding_count) {
     const DeviceFunctions& f = gpu.functions();
-    VkShaderModuleCreateInfo module{};
-    module.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    module.codeSize = spirv.size_bytes();
-    module.pCode = spirv.data();
-    VkShaderModule module_handle = VK_NULL_HANDLE;
-    check(f.vkCreateShaderModule(gpu.device(), &module, nullptr, &module_handle), "loading the shader");
-    shader_ = gpu.own(module_handle, f.vkDestroyShaderModule);
+    for (const std::span<const std::uint32_t> spirv : shaders) {
+        VkShaderModuleCreateInfo module{};
+        module.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+        module.codeSize = spirv.size_bytes();
+        module.pCode = spirv.data();
+        VkShaderModule handle = VK_NULL_HANDLE;
+        check(f.vkCreateShaderModule(gpu.device(), &module, nullptr, &handle), "loading the shader");
+        shaders_.push_back(gpu.own(handle, f.vkDestroyShaderModule));
+    }
 
     std::vector<VkDescriptorSetLayoutBinding> bindings(binding_count);
     for (std::uint32_t i = 0; i < binding_count; ++i) {
@@ -94,14 +96,15 @@ VkPipeline Pipelines::get(const Variant& variant) {
     constexpr std::uint32_t word = sizeof(std::uint32_t);
     const std::array entries{VkSpecializationMapEntry{0, offsetof(Variant, features), word},
                              VkSpecializationMapEntry{1, offsetof(Variant, aovs), word},
-                             VkSpecializationMapEntry{2, offsetof(Variant, stack_size), word}};
+                             VkSpecializationMapEntry{2, offsetof(Variant, stack_size), word},
+                             VkSpecializationMapEntry{3, offsetof(Variant, integrator), word}};
     const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               sizeof(Variant), &variant};
     VkComputePipelineCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    create.stage.module = shader_.get();
+    create.stage.module = shaders_.at(variant.shader).get();
     create.stage.pName = "main";
     create.stage.pSpecializationInfo = &specialization;
     create.layout = layout_.get();

@@ -12,19 +12,22 @@
 
 namespace sundog::vulkan {
 
-/// The shader's specialization constants, in the order of their ids: a variant contains only what it needs.
+/// A shader and its specialization constants, in the order of their ids: a variant contains only what it needs.
 struct Variant {
+    std::uint32_t shader = 0;                                           ///< Its number.
     std::uint32_t features = 0;                                         ///< FEATURE_*
     std::uint32_t aovs = 0;                                             ///< AOV_*
     std::uint32_t stack_size = 0;                                       ///< Entries of the traversal's stack.
+    std::uint32_t integrator = 0;                                       ///< INTEGRATOR_*
     friend auto operator<=>(const Variant&, const Variant&) = default;  // NOLINT(modernize-use-nullptr): its own zero
 };
 
-/// A compute shader whose set 0 holds storage buffers 0 to binding_count - 2 and one uniform buffer after them.
+/// Compute shaders whose set 0 holds storage buffers 0 to binding_count - 2 and one uniform buffer after them.
 class Pipelines {
 public:
-    Pipelines(const Gpu& gpu, std::span<const std::uint32_t> spirv, std::uint32_t binding_count,
-              std::uint32_t push_constant_bytes);
+    /// Shaders are given as SPIR-V. Errors: DeviceError.
+    Pipelines(const Gpu& gpu, std::initializer_list<std::span<const std::uint32_t>> shaders,
+              std::uint32_t binding_count, std::uint32_t push_constant_bytes);
 
     /// Makes binding `binding` read `buffer`. Not while commands run.
     void bind(std::uint32_t binding, const Buffer& buffer);
@@ -37,7 +40,7 @@ public:
 private:
     const Gpu& gpu_;
     std::uint32_t binding_count_;
-    Owned<VkShaderModule> shader_;
+    std::vector<Owned<VkShaderModule>> shaders_;
     Owned<VkDescriptorSetLayout> set_layout_;
     Owned<VkPipelineLayout> layout_;
     Owned<VkDescriptorPool> pool_;

@@ -36,11 +36,9 @@ std::vector<std::string> arrays_too_large(const RenderScene& scene, const Adapte
             sentences.push_back(std::move(sentence));
     };
 #define KERNEL_ARRAYS_SCENE_ONLY
-#define KERNEL_ARRAYS_OF_SHADERS
 #define KERNEL_ARRAY(type, name, binding) add(#name, scene.name.size() * sizeof(scene.name[0]));
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
-#undef KERNEL_ARRAYS_OF_SHADERS
 #undef KERNEL_ARRAYS_SCENE_ONLY
     std::uint64_t primitives = 0;
     for (const kernel::Geometry& geometry : scene.geometries) {
@@ -92,11 +90,9 @@ SceneBuffers::SceneBuffers(Gpu& gpu, Pipelines& pipelines, const RenderScene& sc
         return buffer;
     };
 #define KERNEL_ARRAYS_SCENE_ONLY
-#define KERNEL_ARRAYS_OF_SHADERS
 #define KERNEL_ARRAY(type, name, binding) arrays_.push_back(upload(binding, bytes_of(scene.name), #name));
 #include "kernel/arrays.h"
 #undef KERNEL_ARRAY
-#undef KERNEL_ARRAYS_OF_SHADERS
 #undef KERNEL_ARRAYS_SCENE_ONLY
     nodes_ = upload(kernel::BINDING_NODES, bytes_of(hierarchy_.nodes), "nodes of the hierarchy");
     shapes_ = upload(kernel::BINDING_LEAF_SHAPES, bytes_of(hierarchy_.shapes), "shapes of the hierarchy");
@@ -130,6 +126,7 @@ std::uint32_t SceneBuffers::set_frame(Gpu& gpu, Pipelines& pipelines, const Fram
     write_or_grow(gpu, pipelines, params_, kernel::BINDING_FRAME, std::as_bytes(std::span(&frame.params, 1)),
                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, "frame");
     write_or_grow(gpu, pipelines, lights_, kernel::BINDING_LIGHTS, bytes_of(frame.lights), storage, "lights");
+    write_or_grow(gpu, pipelines, emitters_, kernel::BINDING_EMITTERS, bytes_of(frame.emitters), storage, "emitters");
     write_or_grow(gpu, pipelines, instances_, kernel::BINDING_INSTANCES, bytes_of(frame.instances), storage,
                   "instances");
     write_or_grow(gpu, pipelines, top_refs_, kernel::BINDING_TOP_REFS, bytes_of(top_refs), storage,
@@ -140,7 +137,7 @@ std::uint32_t SceneBuffers::set_frame(Gpu& gpu, Pipelines& pipelines, const Fram
 
 std::size_t SceneBuffers::memory_bytes() const {
     std::size_t bytes = nodes_.bytes() + shapes_.bytes() + refs_.bytes() + params_.bytes() + lights_.bytes() +
-                        instances_.bytes() + top_refs_.bytes();
+                        instances_.bytes() + emitters_.bytes() + top_refs_.bytes();
     for (const Buffer& buffer : arrays_) bytes += buffer.bytes();
     return bytes;
 }

@@ -39,7 +39,7 @@ private:
     Hierarchy hierarchy_;  // of it, only what the top level needs stays once all is uploaded
     std::vector<Buffer> arrays_;
     Buffer nodes_, shapes_, refs_;
-    Buffer params_, lights_, instances_, top_refs_;
+    Buffer params_, lights_, emitters_, instances_, top_refs_;
 };
 
 }  // namespace sundog::vulkan

@@ -11,6 +11,7 @@
 #include "device/vulkan/gpu.h"
 #include "device/vulkan/pipelines.h"
 #include "device/vulkan/scene_buffers.h"
+#include "device/vulkan/shaders/path_spirv.h"
 #include "device/vulkan/shaders/whitted_spirv.h"
 
 namespace sundog {
@@ -25,11 +26,14 @@ struct Piece {
     std::uint32_t sample_count;
 };
 
+/// Of the shaders that Pipelines gets.
+constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1;
+
 class VulkanDevice final : public Device {
 public:
     VulkanDevice(std::size_t index, const VulkanOptions& options)
         : gpu_(index, options.on_validation_message, {options.map_device_memory, options.staging_bytes}),
-          pipelines_(gpu_, whitted_spirv, kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
+          pipelines_(gpu_, {whitted_spirv, path_spirv}, kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
 
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
 
@@ -50,12 +54,12 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const override { return buffers_ ? buffers_->memory_bytes() : 0; }
 
     RenderStats render(const Frame& frame, const RenderWork& work, Film& film, const StopFlag& stop) override {
-        if (frame.params.integrator != kernel::INTEGRATOR_WHITTED)
-            throw DeviceError("path tracing and ambient occlusion are what only the CPU does; use --device cpu");
         if (!buffers_) throw DeviceError("no scene was loaded");
         RenderStats stats;
         if (work.sample_count == 0) return stats;
         Variant variant;
+        variant.shader = frame.params.integrator == kernel::INTEGRATOR_WHITTED ? kWhittedShader : kPathShader;
+        variant.integrator = frame.params.integrator;
         variant.stack_size = buffers_->set_frame(gpu_, pipelines_, frame);
         variant.aovs = film.aovs;
         variant.features =

@@ -38,8 +38,13 @@ void append_primitive(const PrimitiveData& p, scene::Index material, MeshData& o
     }
     mesh.positions.insert(mesh.positions.end(), p.positions.begin(), p.positions.end());
     mesh.normals.insert(mesh.normals.end(), p.normals.begin(), p.normals.end());
+    const std::size_t attributes_before = mesh.attributes.size();
     append(mesh.attributes, p.attributes, texcoords_first, p.texcoords.size());
     mesh.texcoords.insert(mesh.texcoords.end(), p.texcoords.begin(), p.texcoords.end());
+    // Primitives without attributes, before this one and this one itself, have one set of texture coordinates for both.
+    const std::size_t own = p.attributes.empty() ? mesh.attributes.size() : texcoords_first;
+    for (std::size_t i = attributes_before; i < own && i < mesh.attributes.size(); ++i)
+        mesh.attributes[i].second_texcoord = mesh.texcoords[i];
     for (std::size_t i = 0; i + 2 < p.corners.size(); i += 3) {
         scene::Mesh::Triangle triangle{};
         for (std::size_t k = 0; k < 3; ++k) {

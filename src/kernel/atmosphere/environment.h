@@ -20,7 +20,7 @@ FN real2 environment_place(SCENE real3 direction, OUT(real) sin_axis) {
 /// One of its pixels, row by row.
 FN real3 environment_pixel(SCENE word number) {
     word at = word(ENVIRONMENT_FIRST) + number * word(3u);
-    return real3(GET(linear_values, at), GET(linear_values, at + word(1u)), GET(linear_values, at + word(2u)));
+    return real3(GET(tables, at), GET(tables, at + word(1u)), GET(tables, at + word(2u)));
 }
 
 /// Its radiance there, between the middles of pixels.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much light microfacets and sheen send back in all, looked up in the array `bsdf_tables`, which
+// How much light microfacets and sheen send back in all, looked up in the array `tables`, where
 // compile/bsdf_tables.h makes from the models themselves.
 #ifndef SUNDOG_KERNEL_BSDF_ALBEDO_TABLES_H
 #define SUNDOG_KERNEL_BSDF_ALBEDO_TABLES_H
@@ -20,8 +20,8 @@ FN real table_value(SCENE uint first, uint stride, real cosine_there, real rough
     real fy = y - y0;
     word at = word(first) + (word_from_real(y0) * word(BSDF_TABLE_SIDE) + word_from_real(x0)) * word(stride);
     word below = at + word(BSDF_TABLE_SIDE * stride);
-    return mix(mix(GET(bsdf_tables, at), GET(bsdf_tables, at + word(stride)), fx),
-               mix(GET(bsdf_tables, below), GET(bsdf_tables, below + word(stride)), fx), fy);
+    return mix(mix(GET(tables, at), GET(tables, at + word(stride)), fx),
+               mix(GET(tables, below), GET(tables, below + word(stride)), fx), fy);
 }
 
 /// Albedo of GGX facets with Schlick's reflectance f0 to f90: f0 times the first number plus f90 times the second
@@ -38,8 +38,8 @@ FN real2 ggx_mean_albedo(SCENE real roughness) {
     real y0 = min(floor(y), real(last - 1.0f));
     real fy = y - y0;
     word at = word(BSDF_TABLE_GGX_MEANS) + word_from_real(y0) * word(2u);
-    return real2(mix(GET(bsdf_tables, at), GET(bsdf_tables, at + word(2u)), fy),
-                 mix(GET(bsdf_tables, at + word(1u)), GET(bsdf_tables, at + word(3u)), fy));
+    return real2(mix(GET(tables, at), GET(tables, at + word(2u)), fy),
+                 mix(GET(tables, at + word(1u)), GET(tables, at + word(3u)), fy));
 }
 
 /// Albedo of white sheen.

@@ -17,15 +17,15 @@ FN ShadingFrame frame_around(real3 z) {
     real sign = select(z.z < real(0.0f), real(-1.0f), real(1.0f));
     real a = -1.0f / (sign + z.z);
     real b = z.x * z.y * a;
-    ShadingFrame frame;
-    frame.x = real3(1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x);
-    frame.y = real3(b, sign + z.y * z.y * a, -z.y);
-    frame.z = z;
-    return frame;
+    ShadingFrame basis;
+    basis.x = real3(1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x);
+    basis.y = real3(b, sign + z.y * z.y * a, -z.y);
+    basis.z = z;
+    return basis;
 }
 
-FN real3 to_local(ShadingFrame frame, real3 v) { return real3(dot(frame.x, v), dot(frame.y, v), dot(frame.z, v)); }
-FN real3 to_world(ShadingFrame frame, real3 v) { return frame.x * v.x + frame.y * v.y + frame.z * v.z; }
+FN real3 to_local(ShadingFrame basis, real3 v) { return real3(dot(basis.x, v), dot(basis.y, v), dot(basis.z, v)); }
+FN real3 to_world(ShadingFrame basis, real3 v) { return basis.x * v.x + basis.y * v.y + basis.z * v.z; }
 
 /// A direction over the hemisphere around z, by the cosine to it: its density is that cosine over pi.
 FN real3 cosine_direction(real2 u) {

@@ -22,7 +22,7 @@ KERNEL_BEGIN
 struct Principled {
     real3 base;
     real metallic;
-    real alpha_x, alpha_y;  ///< Of the facets along the frame's x and y,
+    real alpha_x, alpha_y;  ///< Of the facets along the basis's x and y,
     real roughness;         ///< and the square root of their geometric mean.
     real3 f0;               ///< Reflectance along the normal, of the metal and the dielectric together,
     real f90;               ///< and along the surface.

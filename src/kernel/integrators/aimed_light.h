@@ -5,12 +5,13 @@
 
 #include "kernel/integrators/scatter.h"
 #include "kernel/lights/emitter.h"
+#include "kernel/lights/emitter_shadow.h"
 
 KERNEL_BEGIN
 
 /// Light of the lights without size, in lanes that drew one of them (an area: any point of it), over its probability.
 FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                           Scatter scatter, ShadingFrame frame, MediaInsides media, EmitterChoice choice, real2 u,
+                           Scatter scatter, ShadingFrame basis, MediaInsides media, EmitterChoice choice, real2 u,
                            real3 to_eye, mask asked, INOUT(RayCounts) counts) {
     real3 black = real3(real(0.0f));
     real3 sum = black;
@@ -42,12 +43,17 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
         real3 color = real3(light.color);
         if (FEATURE(FEATURE_LIGHT_SHAPES))
             color = color * light_share(light, s.position, from, in_parts ? reach : distance);
+        if (FEATURE(FEATURE_MEDIA)) {
+            // As in povray, a light is as bright in a medium of any phase function as on a surface that faces it.
+            color = color * select(scatter.particle, 4.0f * phase_mean(scatter.phase), real(1.0f));
+            if ((light.flags & LIGHT_PASSES_MEDIA) != 0u) lit = mask_and(lit, mask_not(scatter.particle));
+        }
         real3 amount = abs(color);
         lit = mask_and(lit, largest(amount) > real(0.0f));
         if (!any_lane(lit)) continue;
         real met;
         real3 value =
-            color * scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit, behind, from, to_eye, met);
+            color * scattered_light(SCENE_ s, lobes, layered, point, scatter, basis, lit, behind, from, to_eye, met);
         if (FEATURE(FEATURE_SHADOWS)) {
             if ((light.flags & LIGHT_SHADOWS) != 0u) {
                 real3 off = s.geometric_normal * s.error;
@@ -76,7 +82,7 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
 /// Light that is aimed at: one emitter is drawn, and a place of it. `u` draws the place, `pick` the emitter. Where the
 /// path `ends`, no further ray could meet it.
 FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                           Scatter scatter, ShadingFrame frame, MediaInsides media, real2 u, real pick, real3 to_eye,
+                           Scatter scatter, ShadingFrame basis, MediaInsides media, real2 u, real pick, real3 to_eye,
                            mask ends, mask asked, INOUT(RayCounts) counts) {
     real3 black = real3(real(0.0f));
     EmitterChoice choice = choose_emitter(SCENE_ pick);
@@ -111,7 +117,7 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
     if (any_lane(lit)) {
         real met;
         real3 value =
-            scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit, behind, drawn.to_light, to_eye, met);
+            scattered_light(SCENE_ s, lobes, layered, point, scatter, basis, lit, behind, drawn.to_light, to_eye, met);
         real share = select(ends, real(1.0f), power_heuristic(drawn.density, met));
         value = value * drawn.radiance * (share * 0.318309886f / drawn.density);
         lit = mask_and(lit, largest(value) > real(0.0f));
@@ -126,15 +132,14 @@ FN_LARGE real3 aimed_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
             shadow.t_min = real(0.0f);
             shadow.direction = select(to_environment, drawn.to_light, to_place * (1.0f / max(away, real(1e-30f))));
             shadow.t_max = select(to_environment, drawn.distance, away - hit_error(shadow.origin, place, away));
-            real3 passes =
-                shadow_transmittance(SCENE_ shadow, media, LIGHT_ATTENUATED | LIGHT_MET_BY_PATHS, lit, counts);
+            real3 passes = emitter_visibility(SCENE_ shadow, media, lit, counts);
             sum = select(lit, value * passes, black);
         }
     }
     if (FRAME.light_count > 0u) {
         mask at_point = mask_and(asked, choice.kind == word(EMITTER_LIGHT));
         if (any_lane(at_point))
-            sum = sum + light_from_points(SCENE_ s, lobes, layered, point, scatter, frame, media, choice, u, to_eye,
+            sum = sum + light_from_points(SCENE_ s, lobes, layered, point, scatter, basis, media, choice, u, to_eye,
                                           at_point, counts);
     }
     return sum;

@@ -12,14 +12,11 @@
 
 KERNEL_BEGIN
 
-/// Takes rays of the given weights over the first `reach` of their ways: adds to `radiance` what shines at them there,
-/// and dims the weights. `media` is what the rays start inside of.
-FN void cross_air(SCENE Ray ray, real reach, MediaInsides media, mask alive, INOUT(real3) weight, INOUT(real3) radiance,
-                  INOUT(RayCounts) counts) {
+/// Takes rays of the given weights through fog and rainbows, over the first `reach` of their ways: adds to `radiance`
+/// what shines at them there, and dims the weights. `media` is what the rays start inside of.
+FN void cross_fog(SCENE Ray ray, real reach, MediaInsides media, mask alive, INOUT(real3) weight,
+                  INOUT(real3) radiance) {
     real3 black = real3(real(0.0f));
-#ifdef __cplusplus
-    if (FEATURE(FEATURE_MEDIA)) radiance = radiance + media_radiance(SCENE_ ray, reach, media, alive, weight, counts);
-#endif
     if (FEATURE(FEATURE_ATMOSPHERE)) {
         mask in_air = alive;
         if (FEATURE(FEATURE_HOLLOW)) in_air = mask_and(in_air, mask_not(in_solid(media)));
@@ -36,6 +33,15 @@ FN void cross_air(SCENE Ray ray, real reach, MediaInsides media, mask alive, INO
             weight = select(in_air, dimmed, weight);
         }
     }
+}
+
+/// The same through all that there is in the air, media too.
+FN void cross_air(SCENE Ray ray, real reach, MediaInsides media, mask alive, INOUT(real3) weight, INOUT(real3) radiance,
+                  INOUT(RayCounts) counts) {
+#ifdef __cplusplus
+    if (FEATURE(FEATURE_MEDIA)) radiance = radiance + media_radiance(SCENE_ ray, reach, media, alive, weight, counts);
+#endif
+    cross_fog(SCENE_ ray, reach, media, alive, weight, radiance);
 }
 
 KERNEL_END

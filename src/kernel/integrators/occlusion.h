@@ -36,8 +36,8 @@ FN void extend_occlusion(SCENE bool together, INOUT(TracedPath) path, INOUT(real
         first.material = select(here, s.material, first.material);
         first.albedo = select(here, white, first.albedo);
     }
-    ShadingFrame frame = frame_around(s.normal);
-    real3 direction = to_world(frame, cosine_direction(sample_pair(path.sample, word(FIRST_CHOICE))));
+    ShadingFrame basis = frame_around(s.normal);
+    real3 direction = to_world(basis, cosine_direction(sample_pair(path.draws, word(FIRST_CHOICE))));
     direction = normalize(direction);
     // Under the face itself, behind a smoothed normal, nothing is seen.
     path.alive = mask_and(here, dot(direction, s.geometric_normal) > real(0.0f));

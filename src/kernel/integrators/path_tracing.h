@@ -5,7 +5,7 @@
 // Surfaces are those of Whitted's integrator: what a light of colour 1 makes of them is pi times their BSDF times the
 // cosine. Surfaces that shine are lights; lights without size are those of Whitted's integrator, with areas for soft
 // shadows. Of ambient light there is none. Transparent surfaces stand in its way, except in that of lights without
-// size, which no path could meet.
+// size, which no path could meet; those that don't bend light are passed straight by aimed rays, too.
 //
 // The device defines its traversal first (see whitted.h).
 #ifndef SUNDOG_KERNEL_INTEGRATORS_PATH_TRACING_H
@@ -18,6 +18,9 @@
 #include "kernel/integrators/surface_met.h"
 #include "kernel/integrators/traced_path.h"
 #include "kernel/materials/spectrum.h"
+#ifdef __cplusplus
+#include "kernel/integrators/particles.h"
+#endif
 
 KERNEL_BEGIN
 
@@ -37,10 +40,11 @@ FN real3 background_met(SCENE TracedPath path, mask missed) {
     return seen;
 }
 
-/// Sets the path's next ray, and its weight; paths without one end. `choice` draws the lobe, `u` the direction.
+/// Sets the path's next ray, and its weight; paths without one end, and those of `ends` unless they go straight on.
+/// `choice` draws the lobe, `u` the direction. The surface was met at `distance`.
 FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                     Crossing crossing, Scatter scatter, ShadingFrame frame, real2 u, real choice, mask found,
-                     INOUT(TracedPath) path) {
+                     Crossing crossing, Scatter scatter, ShadingFrame basis, real2 u, real choice, mask ends,
+                     real distance, mask found, INOUT(TracedPath) path) {
     real3 black = real3(real(0.0f));
     real3 incoming = path.ray.direction;
     mask rough = mask_and(found, choice < scatter.rough);
@@ -51,9 +55,13 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
 
     Ray next = mirrored_ray(s, incoming);
     real3 carried = black;
+    real drawn_before = path.density;
+    real passed_before = path.passed + distance;
     path.density = real(0.0f);
+    path.passed = real(0.0f);
+    mask goes_on = mask_and(found, mask_not(ends));
     if (any_lane(rough)) {
-        real3 to_eye = to_local(frame, -incoming);
+        real3 to_eye = to_local(basis, -incoming);
         real3 local = cosine_direction(u);
         if (any_lane(mask_and(rough, scatter.gloss > real(0.0f)))) {
             // What is left of the number that drew the lobe says whether it is for the highlight.
@@ -69,12 +77,22 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
                 drawn = mask_and(rough, dot(local, local) > real(0.5f));
             }
         }
-        real3 direction = to_world(frame, select(drawn, local, real3(real(0.0f), real(0.0f), real(1.0f))));
+        if (FEATURE(FEATURE_MEDIA)) {
+            mask particle = mask_and(rough, scatter.particle);
+            if (any_lane(particle)) {
+                real c = phase_cosine(scatter.phase, scatter.eccentricity, u.x);
+                real across = sqrt(max(1.0f - c * c, real(0.0f)));
+                real around = u.y * 6.28318531f;
+                // The normal looks back along the ray.
+                local = select(particle, real3(across * cosine(around), across * sine(around), -c), local);
+            }
+        }
+        real3 direction = to_world(basis, select(drawn, local, real3(real(0.0f), real(0.0f), real(1.0f))));
         direction = normalize(direction);
         mask behind;
         mask lit = scattering_lanes(SCENE_ s, lobes, scatter, direction, drawn, behind);
         real density;
-        real3 value = scattered_light(SCENE_ s, lobes, layered, point, scatter, frame, lit,
+        real3 value = scattered_light(SCENE_ s, lobes, layered, point, scatter, basis, lit,
                                       mask_and(behind, mask_not(behind)), direction, -incoming, density);
         lit = mask_and(lit, density > real(0.0f));
         carried = select(lit, value * (0.318309886f / max(density, real(1e-30f))), black);
@@ -94,6 +112,14 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
             mask bends = mask_and(passes, abs(lobes.eta - 1.0f) > real(0.0f));
             next.direction = select(through, select(bends, normalize(refracted), incoming), next.direction);
             next.origin = select(through, s.position - s.geometric_normal * s.error, next.origin);
+            if (FEATURE(FEATURE_VEILS)) {
+                real3 passes;
+                mask straight = passes_straight(SCENE_ s, lobes, through, passes);
+                path.density = select(straight, drawn_before, path.density);
+                path.passed = select(straight, passed_before, path.passed);
+                mask may_pass = path.vertices < word(FRAME.max_depth + MAX_SHADOW_SURFACES);
+                goes_on = mask_or(goes_on, mask_and(straight, may_pass));
+            }
             carried = select(through, lobes.transmittance * (1.0f / max(scatter.through, real(1e-30f))), carried);
             if (FEATURE(FEATURE_DISPERSION)) {
                 mask splits = disperses(SCENE_ s, lobes, mask_and(through, lobes.patterned));
@@ -115,12 +141,42 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
     path.kind = select(through, path.kind, word(RAY_REFLECTED));
     path.ray = next;
     path.weight = path.weight * carried;
-    path.alive = mask_and(found, largest(path.weight) > real(0.0f));
+    path.alive = mask_and(goes_on, largest(path.weight) > real(0.0f));
+}
+
+/// Puts particles in the places of surfaces, in lanes where they are met.
+FN void take_particle(Particle particle, Ray ray, INOUT(Surface) s, INOUT(Lobes) lobes, INOUT(Scatter) scatter,
+                      INOUT(ShadingFrame) basis) {
+    real3 black = real3(real(0.0f));
+    mask met = particle.met;
+    s.position = select(met, point_at(ray, particle.t), s.position);
+    s.normal = select(met, -ray.direction, s.normal);
+    s.geometric_normal = select(met, -ray.direction, s.geometric_normal);
+    s.error = select(met, real(0.0f), s.error);
+    s.material = select(met, word(0u), s.material);
+    ShadingFrame around = frame_around(-ray.direction);
+    basis.x = select(met, around.x, basis.x);
+    basis.y = select(met, around.y, basis.y);
+    basis.z = select(met, around.z, basis.z);
+    lobes.emission = select(met, black, lobes.emission);
+    lobes.ambient = select(met, black, lobes.ambient);
+    lobes.reflectance = select(met, black, lobes.reflectance);
+    lobes.transmittance = select(met, black, lobes.transmittance);
+    lobes.patterned = mask_and(lobes.patterned, mask_not(met));
+    scatter.rough = select(met, real(1.0f), scatter.rough);
+    scatter.mirrored = select(met, real(0.0f), scatter.mirrored);
+    scatter.through = select(met, real(0.0f), scatter.through);
+    scatter.gloss = select(met, real(0.0f), scatter.gloss);
+    scatter.own = mask_and(scatter.own, mask_not(met));
+    scatter.clear = mask_and(scatter.clear, mask_not(met));
+    scatter.particle = met;
+    scatter.phase = particle.type;
+    scatter.eccentricity = particle.eccentricity;
 }
 
 /// Where materials have reflection models of their own, these take the place of the lobes.
 FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT(Surface) s, INOUT(Lobes) lobes,
-                  INOUT(Scatter) scatter, INOUT(ShadingFrame) frame, OUT(BsdfPoint) point) {
+                  INOUT(Scatter) scatter, INOUT(ShadingFrame) basis, OUT(BsdfPoint) point) {
     real3 black = real3(real(0.0f));
     word model = FIELD(materials, s.material, bsdf);
     mask own = mask_and(found, model != word(NONE));
@@ -138,9 +194,9 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
         path.weight = select(splits, path.weight * spectrum_light(path.spectrum), path.weight);
         path.colored = mask_or(path.colored, splits);
     }
-    frame.x = select(own, around.x, frame.x);
-    frame.y = select(own, around.y, frame.y);
-    frame.z = select(own, around.z, frame.z);
+    basis.x = select(own, around.x, basis.x);
+    basis.y = select(own, around.y, basis.y);
+    basis.z = select(own, around.z, basis.z);
     real opacity = bsdf_opacity(SCENE_ s, scatter.model, own);
     scatter.rough = select(own, opacity, scatter.rough);
     scatter.mirrored = select(own, real(0.0f), scatter.mirrored);
@@ -163,7 +219,7 @@ FN void play_roulette(INOUT(TracedPath) path) {
     mask plays = mask_and(path.alive, word(ROULETTE_AFTER) < path.vertices);
     if (!any_lane(plays)) return;
     real survival = clamp(largest(path.weight), real(0.05f), real(1.0f));
-    real drawn = sample_hash(path.sample, path.vertices);
+    real drawn = sample_hash(path.draws, path.vertices);
     mask ends = mask_and(plays, drawn >= survival);
     path.alive = mask_and(path.alive, mask_not(ends));
     path.weight = select(plays, path.weight * (1.0f / survival), path.weight);
@@ -179,11 +235,21 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     mask found = mask_and(path.alive, hit.geometry != word(NONE));
     mask missed = mask_and(path.alive, hit.geometry == word(NONE));
     real reach = select(found, hit.t, real(3.0e38f));
-    cross_air(SCENE_ path.ray, reach, path.media, path.alive, path.weight, radiance, counts);
+    Particle particle = no_particle();
+#ifdef __cplusplus
+    if (FEATURE(FEATURE_MEDIA)) {
+        particle = track_media(SCENE_ reach, path, radiance);
+        reach = select(particle.met, particle.t, reach);
+        mask left = largest(abs(path.weight)) > real(0.0f);
+        found = mask_and(found, mask_and(left, mask_not(particle.met)));
+        missed = mask_and(missed, mask_and(left, mask_not(particle.met)));
+    }
+#endif
+    cross_fog(SCENE_ path.ray, reach, path.media, path.alive, path.weight, radiance);
     if (any_lane(missed))
         radiance = radiance + select(missed, path.weight * background_met(SCENE_ path, missed), black);
-    path.alive = found;
-    if (!any_lane(found)) return;
+    path.alive = mask_or(found, particle.met);
+    if (!any_lane(path.alive)) return;
 
     Surface s;
     Lobes lobes;
@@ -210,36 +276,42 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         lobes.specular = select(lobes.patterned, lobes.specular, lobes.specular * (white - lobes.reflectance));
     }
     Scatter scatter = scatter_of(SCENE_ s, lobes, layered, found);
-    ShadingFrame frame = frame_around(s.normal);
+    ShadingFrame basis = frame_around(s.normal);
     BsdfPoint point;
-    if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, frame, point);
+    if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, basis, point);
+    if (FEATURE(FEATURE_MEDIA)) {
+        take_particle(particle, path.ray, s, lobes, scatter, basis);
+        found = mask_or(found, particle.met);
+    }
     real3 emission = lobes.emission + lobes.ambient * real3(FRAME.ambient);
     if (any_lane(mask_and(found, largest(emission) > real(0.0f)))) {
         real share = real(1.0f);
         mask chosen = mask_and(found, path.density > real(0.0f));
         if (any_lane(chosen)) {
-            real other = emitter_density(SCENE_ path.ray, hit, s, chosen);
+            real other = emitter_density(SCENE_ path.ray, hit, path.passed, s, chosen);
             share = select(chosen, power_heuristic(path.density, other), share);
         }
         radiance = radiance + select(found, path.weight * emission * share, black);
     }
     word dimension = path.vertices * word(CHOICES_A_VERTEX) + word(FIRST_CHOICE);
-    real2 picks = sample_pair(path.sample, dimension + word(2u));
+    real2 picks = sample_pair(path.draws, dimension + word(2u));
     mask ends = mask_not(path.vertices < word(FRAME.max_depth));
     if (FRAME.emitter_count > 0u) {
         mask asked = mask_and(found, scatter.rough > real(0.0f));
         if (any_lane(asked)) {
-            real2 place = sample_pair(path.sample, dimension + word(1u));
-            real3 aimed = aimed_light(SCENE_ s, lobes, layered, point, scatter, frame, path.media, place, picks.y,
+            real2 place = sample_pair(path.draws, dimension + word(1u));
+            real3 aimed = aimed_light(SCENE_ s, lobes, layered, point, scatter, basis, path.media, place, picks.y,
                                       -path.ray.direction, ends, asked, counts);
             radiance = radiance + select(asked, path.weight * aimed, black);
         }
     }
     mask goes_on = mask_and(found, mask_not(ends));
+    if (FEATURE(FEATURE_VEILS)) goes_on = mask_or(goes_on, mask_and(found, scatter.through > real(0.0f)));
     path.alive = goes_on;
     if (!any_lane(goes_on)) return;
-    real2 direction = sample_pair(path.sample, dimension);
-    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, frame, direction, picks.x, goes_on, path);
+    real2 direction = sample_pair(path.draws, dimension);
+    scatter_path(SCENE_ s, lobes, layered, point, crossing, scatter, basis, direction, picks.x, ends, hit.t, goes_on,
+                 path);
     path.vertices = path.vertices + word(1u);
     play_roulette(path);
 }

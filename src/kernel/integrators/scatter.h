@@ -4,12 +4,30 @@
 #ifndef SUNDOG_KERNEL_INTEGRATORS_SCATTER_H
 #define SUNDOG_KERNEL_INTEGRATORS_SCATTER_H
 
+#include "kernel/atmosphere/scattering.h"
 #include "kernel/bsdf/blinn_phong.h"
 #include "kernel/bsdf/frame.h"
 #include "kernel/lights/direct.h"
 #include "kernel/materials/bsdf_material.h"
 
 KERNEL_BEGIN
+
+/// Which particles of media scatter paths, before they come to a surface.
+struct Particle {
+    mask met;
+    real t;  ///< Where on the ray.
+    word type;
+    real eccentricity;
+};
+
+FN Particle no_particle() {
+    Particle particle;
+    particle.met = mask(false);
+    particle.t = real(0.0f);
+    particle.type = word(1u);
+    particle.eccentricity = real(0.0f);
+    return particle;
+}
 
 /// How directions are drawn at a surface. Shares are of what goes on: matt and glossy ones in all directions, one that
 /// is mirrored, one that passes through.
@@ -20,6 +38,9 @@ struct Scatter {
     mask own;                       ///< Rough directions are those of a reflection model of the material's own,
     word model;                     ///< number `model` of `bsdfs`,
     mask clear;                     ///< and light comes through it from behind.
+    mask particle;                  ///< If FEATURE_MEDIA: this is no surface but a particle
+    word phase;                     ///< of this type (phase_density),
+    real eccentricity;              ///< and this shape.
 };
 
 /// The sharpest highlight of layers counts, and the share of all.
@@ -74,6 +95,9 @@ FN Scatter scatter_of(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, 
     scatter.own = mask_and(found, mask_not(found));
     scatter.clear = scatter.own;
     scatter.model = word(0u);
+    scatter.particle = scatter.own;
+    scatter.phase = word(1u);
+    scatter.eccentricity = real(0.0f);
     return scatter;
 }
 
@@ -95,21 +119,26 @@ FN mask scattering_lanes(SCENE Surface s, Lobes lobes, Scatter scatter, real3 to
         behind = mask_or(behind, through);
         lit = mask_or(lit, through);
     }
+    if (FEATURE(FEATURE_MEDIA)) {
+        lit = mask_or(lit, mask_and(alive, scatter.particle));
+        behind = mask_and(behind, mask_not(scatter.particle));
+    }
     return lit;
 }
 
 /// What a light of colour 1 from a direction makes of the surface in the lanes of `lit` (pi times BSDF times cosine),
 /// and the density over solid angle of drawing that direction.
 FN_LARGE real3 scattered_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, LARGE(BsdfPoint) point,
-                               Scatter scatter, ShadingFrame frame, mask lit, mask behind, real3 to_light, real3 to_eye,
+                               Scatter scatter, ShadingFrame basis, mask lit, mask behind, real3 to_light, real3 to_eye,
                                OUT(real) density) {
     real3 black = real3(real(0.0f));
     real3 base = black;
     real3 highlight = base;
     density = real(0.0f);
-    real3 local_eye = to_local(frame, to_eye);
-    real3 local_light = to_local(frame, to_light);
+    real3 local_eye = to_local(basis, to_eye);
+    real3 local_light = to_local(basis, to_light);
     mask plain = mask_and(lit, mask_not(scatter.own));
+    if (FEATURE(FEATURE_MEDIA)) plain = mask_and(plain, mask_not(scatter.particle));
     if (any_lane(plain)) {
         add_light(SCENE_ s, lobes, layered, real3(real(1.0f)), LIGHT_HIGHLIGHTS, 0u, plain, behind, to_light, to_eye,
                   base, highlight);
@@ -124,6 +153,14 @@ FN_LARGE real3 scattered_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) 
             bsdf_values(SCENE_ scatter.model, point, local_eye, local_light, own, own_value, own_density);
             value = select(own, own_value * (scatter.rough * 3.14159265f), value);
             density = select(own, own_density * scatter.rough, density);
+        }
+    }
+    if (FEATURE(FEATURE_MEDIA)) {
+        mask particle = mask_and(lit, scatter.particle);
+        if (any_lane(particle)) {
+            real sent = phase_density(scatter.phase, -dot(to_eye, to_light), scatter.eccentricity);
+            value = select(particle, real3(sent * 3.14159265f), value);
+            density = select(particle, sent, density);
         }
     }
     return value;

@@ -15,7 +15,8 @@ struct TracedPath {
     word vertices;  ///< Surfaces met so far.
     word kind;      ///< RAY_*
     real density;   ///< Over solid angle, with which the ray's direction was drawn; 0: it was the only one.
-    PathSample sample;
+    real passed;    ///< If FEATURE_VEILS: how far the ray's origin is from where that was, as it came straight through.
+    PathSample draws;
     real spectrum;  ///< If FEATURE_DISPERSION: the place in the spectrum by which it is refracted,
     mask colored;   ///< and where it has been, so that it has that colour.
     Insides insides;
@@ -24,17 +25,18 @@ struct TracedPath {
 };
 
 /// A path that starts with a camera's ray.
-FN TracedPath begun_path(SCENE Ray ray, PathSample sample, mask alive) {
+FN TracedPath begun_path(SCENE Ray ray, PathSample draws, mask alive) {
     TracedPath path;
     path.ray = ray;
     path.weight = real3(real(1.0f));
     path.vertices = word(0u);
     path.kind = word(RAY_CAMERA);
     path.density = real(0.0f);
-    path.sample = sample;
+    path.passed = real(0.0f);
+    path.draws = draws;
     path.spectrum = real(0.5f);
     path.colored = mask(false);
-    if (FEATURE(FEATURE_DISPERSION)) path.spectrum = sample_pair(sample, word(2u)).x;
+    if (FEATURE(FEATURE_DISPERSION)) path.spectrum = sample_pair(draws, word(2u)).x;
     path.insides = insides_of_eye(SCENE_ alive);
     path.media = eye_insides(SCENE_ alive);
     path.alive = alive;
@@ -51,8 +53,9 @@ FN void take_path(mask m, TracedPath other, INOUT(TracedPath) path) {
     path.vertices = select(m, other.vertices, path.vertices);
     path.kind = select(m, other.kind, path.kind);
     path.density = select(m, other.density, path.density);
-    path.sample.pixel = select(m, other.sample.pixel, path.sample.pixel);
-    path.sample.index = select(m, other.sample.index, path.sample.index);
+    path.draws.pixel = select(m, other.draws.pixel, path.draws.pixel);
+    path.draws.index = select(m, other.draws.index, path.draws.index);
+    path.passed = select(m, other.passed, path.passed);
     path.spectrum = select(m, other.spectrum, path.spectrum);
     path.colored = select_mask(m, other.colored, path.colored);
     path.insides.inner = select(m, other.insides.inner, path.insides.inner);

@@ -42,11 +42,11 @@ struct EmitterSample {
 };
 
 /// Puts `other` in the lanes of m.
-FN void take_sample(mask m, EmitterSample other, INOUT(EmitterSample) sample) {
-    sample.to_light = select(m, other.to_light, sample.to_light);
-    sample.distance = select(m, other.distance, sample.distance);
-    sample.radiance = select(m, other.radiance, sample.radiance);
-    sample.density = select(m, other.density, sample.density);
+FN void take_sample(mask m, EmitterSample other, INOUT(EmitterSample) drawn) {
+    drawn.to_light = select(m, other.to_light, drawn.to_light);
+    drawn.distance = select(m, other.distance, drawn.distance);
+    drawn.radiance = select(m, other.radiance, drawn.radiance);
+    drawn.density = select(m, other.density, drawn.density);
 }
 
 /// Point `p` of an object of a geometry, in world space.
@@ -76,11 +76,11 @@ FN EmitterSample sample_triangle(SCENE EmitterChoice choice, real3 point, real2 
     real3 normal = cross(e1, e2);
     real double_area = length(normal);
     real distance2 = max(dot(to_place, to_place), real(1e-30f));
-    EmitterSample sample;
-    sample.distance = sqrt(distance2);
-    sample.to_light = to_place * (1.0f / sample.distance);
-    real cosine_there = abs(dot(normal, sample.to_light)) / max(double_area, real(1e-30f));
-    sample.density = choice.probability * 2.0f * distance2 / max(double_area * cosine_there, real(1e-30f));
+    EmitterSample drawn;
+    drawn.distance = sqrt(distance2);
+    drawn.to_light = to_place * (1.0f / drawn.distance);
+    real cosine_there = abs(dot(normal, drawn.to_light)) / max(double_area, real(1e-30f));
+    drawn.density = choice.probability * 2.0f * distance2 / max(double_area * cosine_there, real(1e-30f));
     Surface there;
     there.geometry = geometry;
     there.primitive = triangle;
@@ -88,9 +88,9 @@ FN EmitterSample sample_triangle(SCENE EmitterChoice choice, real3 point, real2 
     there.weights = real2(b1, b2);
     there.uv = real2(real(0.0f), real(0.0f));
     if (FEATURE(FEATURE_TEXTURES)) there.uv = triangle_uv(SCENE_ triangle, b1, b2);
-    sample.radiance = emission_at(SCENE_ there);
-    sample.radiance = select(cosine_there > real(1e-6f), sample.radiance, real3(real(0.0f)));
-    return sample;
+    drawn.radiance = emission_at(SCENE_ there);
+    drawn.radiance = select(cosine_there > real(1e-6f), drawn.radiance, real3(real(0.0f)));
+    return drawn;
 }
 
 /// The cosine of half the angle that a sphere takes of the view from a point at distance2 from its middle, as one
@@ -114,17 +114,17 @@ FN EmitterSample sample_sphere(SCENE EmitterChoice choice, real3 point, real2 u,
     real cos_off = 1.0f - u.x * view;
     real sin_off = sqrt(max(1.0f - cos_off * cos_off, real(0.0f)));
     real angle = u.y * 6.28318531f;
-    ShadingFrame frame = frame_around(to_center * (1.0f / sqrt(distance2)));
-    EmitterSample sample;
-    sample.to_light = to_world(frame, real3(sin_off * cosine(angle), sin_off * sine(angle), cos_off));
+    ShadingFrame basis = frame_around(to_center * (1.0f / sqrt(distance2)));
+    EmitterSample drawn;
+    drawn.to_light = to_world(basis, real3(sin_off * cosine(angle), sin_off * sine(angle), cos_off));
     // To the near side; from inside to the far one.
-    real along = dot(to_center, sample.to_light);
-    real3 beside = to_center - sample.to_light * along;
+    real along = dot(to_center, drawn.to_light);
+    real3 beside = to_center - drawn.to_light * along;
     real half_chord = sqrt(max(radius * radius - dot(beside, beside), real(0.0f)));
-    sample.distance = select(distance2 > radius * radius, along - half_chord, along + half_chord);
+    drawn.distance = select(distance2 > radius * radius, along - half_chord, along + half_chord);
     // Short of it by what rounding does to a grazing ray.
-    sample.distance = max(sample.distance - radius * 1e-3f, real(0.0f));
-    sample.density = choice.probability / (6.28318531f * view);
+    drawn.distance = max(drawn.distance - radius * 1e-3f, real(0.0f));
+    drawn.density = choice.probability / (6.28318531f * view);
     Surface there;
     there.geometry = geometry;
     there.primitive = sphere;
@@ -132,21 +132,23 @@ FN EmitterSample sample_sphere(SCENE EmitterChoice choice, real3 point, real2 u,
     there.weights = real2(real(0.0f), real(0.0f));
     there.uv = there.weights;
     if (FEATURE(FEATURE_TEXTURES)) {
-        real3 from_center = point + sample.to_light * sample.distance - center;
+        real3 from_center = point + drawn.to_light * drawn.distance - center;
         there.uv = sphere_uv(from_center * (1.0f / max(length(from_center), real(1e-30f))));
     }
-    sample.radiance = emission_at(SCENE_ there);
-    return sample;
+    drawn.radiance = emission_at(SCENE_ there);
+    return drawn;
 }
 
-/// With which density over solid angle a shining surface that a ray met would have been drawn from the ray's origin; 0
-/// where it is on no list.
-FN real emitter_density(SCENE Ray ray, Hit hit, Surface s, mask found) {
+/// With which density over solid angle a shining surface that a ray met would have been drawn from `passed` before the
+/// ray's origin; 0 where it is on no list.
+FN real emitter_density(SCENE Ray ray, Hit hit, real passed, Surface s, mask found) {
     real power = FIELD(materials, s.material, emission_power);
     mask listed = mask_and(found, power > real(0.0f));
     if (!any_lane(listed)) return real(0.0f);
     real cosine_there = abs(dot(s.geometric_normal, ray.direction));
-    real density = power * (1.0f / max(FRAME.emitted_power, 1e-30f)) * hit.t * hit.t / max(cosine_there, real(1e-6f));
+    real distance = hit.t + passed;
+    real density =
+        power * (1.0f / max(FRAME.emitted_power, 1e-30f)) * distance * distance / max(cosine_there, real(1e-6f));
     if (FEATURE(FEATURE_ANALYTIC)) {
         word kind = FIELD(geometries, s.geometry, kind);
         mask is_sphere = mask_and(listed, kind == word(GEOMETRY_SPHERE));
@@ -154,6 +156,7 @@ FN real emitter_density(SCENE Ray ray, Hit hit, Surface s, mask found) {
             word sphere = valid_index(is_sphere, s.primitive);
             real radius = FIELD(spheres, sphere, radius);
             real3 to_center = placed_point(SCENE_ s.geometry, FIELD(spheres, sphere, center)) - ray.origin;
+            if (FEATURE(FEATURE_VEILS)) to_center = to_center + ray.direction * passed;
             real view = sphere_view(radius, max(dot(to_center, to_center), real(1e-30f)));
             real probability = power * (1.0f / max(FRAME.emitted_power, 1e-30f)) * 12.5663706f * radius * radius;
             density = select(is_sphere, probability / (6.28318531f * view), density);

@@ -7,6 +7,11 @@
 
 KERNEL_BEGIN
 
+/// Number `which` of cell `cell`, as Environment::first_cell has them.
+FN real environment_cell(SCENE word cell, uint which) {
+    return GET(tables, word(FRAME.environment.first_cell + which) + cell * word(3u));
+}
+
 /// Density over solid angle with which environment_direction() gives a direction.
 FN real environment_density(SCENE real3 direction) {
     real sin_axis;
@@ -15,7 +20,7 @@ FN real environment_density(SCENE real3 direction) {
     float h = float(FRAME.environment.cells_high);
     word x = word_from_real(clamp(place.x * w, real(0.0f), real(w - 1.0f)));
     word y = word_from_real(clamp(place.y * h, real(0.0f), real(h - 1.0f)));
-    real density = FIELD(environment_cells, y * word(FRAME.environment.cells_wide) + x, density);
+    real density = environment_cell(SCENE_ y * word(FRAME.environment.cells_wide) + x, 2u);
     return density / max(sin_axis, real(1e-6f));
 }
 
@@ -28,9 +33,9 @@ FN real3 environment_direction(SCENE real2 u, OUT(real) density) {
     real whole = min(floor(scaled), real(count - 1.0f));
     word slot = word_from_real(whole);
     real rest = scaled - whole;
-    real keep = FIELD(environment_cells, slot, keep);
+    real keep = environment_cell(SCENE_ slot, 0u);
     mask keeps = rest < keep;
-    word chosen = select(keeps, slot, FIELD(environment_cells, slot, alias));
+    word chosen = select(keeps, slot, as_word(environment_cell(SCENE_ slot, 1u)));
     // What is left of the number says where across the cell.
     real across = select(keeps, rest / max(keep, real(1e-10f)), (rest - keep) / max(1.0f - keep, real(1e-10f)));
     word row = word_from_real(floor((real_from_word(chosen) + 0.5f) * (1.0f / float(w))));
@@ -40,7 +45,7 @@ FN real3 environment_direction(SCENE real2 u, OUT(real) density) {
     real azimuth = (place_x - 0.5f) * 6.28318531f;
     real axis = place_y * 3.14159265f;
     real sin_axis = sine(axis);
-    density = FIELD(environment_cells, chosen, density) / max(sin_axis, real(1e-6f));
+    density = environment_cell(SCENE_ chosen, 2u) / max(sin_axis, real(1e-6f));
     return real3(FRAME.environment.up) * cosine(axis) +
            (real3(FRAME.environment.middle) * cosine(azimuth) + real3(FRAME.environment.right) * sine(azimuth)) *
                sin_axis;

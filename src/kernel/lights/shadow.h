@@ -31,8 +31,7 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
     bool attenuated = (light_flags & LIGHT_ATTENUATED) != 0u;
     bool in_fog = FEATURE(FEATURE_ATMOSPHERE) && FRAME.fog_count > 0u && attenuated;
     bool in_air = FEATURE(FEATURE_MEDIA) && FRAME.atmosphere != NONE && attenuated;
-    bool met_by_paths = (light_flags & LIGHT_MET_BY_PATHS) != 0u;
-    if ((!FEATURE(FEATURE_TRANSPARENT) || met_by_paths) && !in_fog && !in_air) {
+    if (!FEATURE(FEATURE_TRANSPARENT) && !in_fog && !in_air) {
         mask blocked = trace_any(SCENE_ ray, alive, word(RAY_SHADOW));
         return select(blocked, real3(real(0.0f)), real3(real(1.0f)));
     }
@@ -59,8 +58,6 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
         // Most of what stands in the way is opaque: that is told from the material alone.
         word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
         mask opaque = mask_and(alive, (flags & word(MATERIAL_TRANSPARENT)) == word(0u));
-        // Paths go on through what lets light pass, and then meet the light for themselves.
-        if (met_by_paths) opaque = alive;
         if (FEATURE(FEATURE_PHOTONS)) {
             word photons = FIELD(geometries, valid_index(alive, hit.geometry), photons);
             opaque = mask_or(opaque, mask_and(alive, photons_replace_shadow(photons, light_flags)));

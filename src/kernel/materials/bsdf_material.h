@@ -99,7 +99,7 @@ FN real3 coat_normal(SCENE Surface s, word maps, mask mapped, mask here) {
 }
 
 /// Lanes of kind BSDF_PRINCIPLED.
-FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color, real ior, INOUT(ShadingFrame) frame) {
+FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color, real ior, INOUT(ShadingFrame) basis) {
     Principled p;
     word maps = FIELD(bsdfs, model, maps);
     mask mapped = mask_and(here, maps != word(NONE));
@@ -172,13 +172,13 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
             word there = valid_index(mapped, maps);
             flags = select(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_ANISOTROPY].flags), flags);
         }
-        mask usable = mask_and(stretched, map_tangents(SCENE_ s, frame.z, flags, along_u, along_v));
+        mask usable = mask_and(stretched, map_tangents(SCENE_ s, basis.z, flags, along_u, along_v));
         real3 tangent = along_u * cosine(rotation) + along_v * sine(rotation);
-        tangent = tangent - frame.z * dot(frame.z, tangent);
+        tangent = tangent - basis.z * dot(basis.z, tangent);
         usable = mask_and(usable, dot(tangent, tangent) > real(1e-20f));
-        tangent = normalize(select(usable, tangent, frame.x));
-        frame.x = select(usable, tangent, frame.x);
-        frame.y = select(usable, cross(frame.z, tangent), frame.y);
+        tangent = normalize(select(usable, tangent, basis.x));
+        basis.x = select(usable, tangent, basis.x);
+        basis.y = select(usable, cross(basis.z, tangent), basis.y);
     }
     p.coat_normal = real3(real(0.0f), real(0.0f), real(1.0f));
     mask coated = mask_and(here, p.coat > real(0.0f));
@@ -189,14 +189,14 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
         mask bent = mask_or(of_base != word(NONE), mask_and(mapped, of_coat != word(NONE)));
         coated = mask_and(coated, bent);
         real3 n = coat_normal(SCENE_ s, maps, mapped, coated);
-        p.coat_normal = select(coated, to_local(frame, n), p.coat_normal);
+        p.coat_normal = select(coated, to_local(basis, n), p.coat_normal);
     }
     return p;
 }
 
 /// The models of the lanes `here`, for light at a place in the spectrum; their frame's x is turned to where a surface
 /// is brushed along.
-FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) frame) {
+FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) basis) {
     word model = valid_index(here, FIELD(materials, s.material, bsdf));
     BsdfPoint p;
     p.color = FIELD(bsdfs, model, color);
@@ -218,7 +218,7 @@ FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(Shad
     p.k = FIELD(bsdfs, model, k);
     real ior = bsdf_ior(SCENE_ model, spectrum);
     p.eta = select(s.from_behind, ior, 1.0f / ior);
-    p.principled = principled_at(SCENE_ s, model, here, p.color, ior, frame);
+    p.principled = principled_at(SCENE_ s, model, here, p.color, ior, basis);
     return p;
 }
 

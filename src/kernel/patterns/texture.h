@@ -40,7 +40,7 @@ FN real3 texel_at(SCENE word first, word width, word x, word y, mask srgb, OUT(r
     word b = (packed >> 16u) & word(255u);
     alpha = real_from_word(packed >> 24u) * 0.00392156863f;
     real3 stored = real3(real_from_word(r), real_from_word(g), real_from_word(b)) * real(0.00392156863f);
-    real3 decoded = real3(GET(linear_values, r), GET(linear_values, g), GET(linear_values, b));
+    real3 decoded = real3(GET(tables, r), GET(tables, g), GET(tables, b));
     return select(srgb, decoded, stored);
 }
 

@@ -16,15 +16,17 @@ namespace sundog::kernel {
 // Bindings of set 0: the frame's arrays as kernel/arrays.h numbers them, then the device's own.
 LAYOUT_CONST uint BINDING_LIGHTS = 14u;
 LAYOUT_CONST uint BINDING_INSTANCES = 15u;
-LAYOUT_CONST uint BINDING_NODES = 23u;
-LAYOUT_CONST uint BINDING_LEAF_SHAPES = 24u;
-LAYOUT_CONST uint BINDING_LEAF_REFS = 25u;
-LAYOUT_CONST uint BINDING_TOP_REFS = 26u;
-LAYOUT_CONST uint BINDING_RADIANCE = 27u;
-LAYOUT_CONST uint BINDING_AOVS = 28u;
-LAYOUT_CONST uint BINDING_COUNTERS = 29u;
-LAYOUT_CONST uint BINDING_FRAME = 30u;
-LAYOUT_CONST uint BINDING_COUNT = 31u;
+LAYOUT_CONST uint BINDING_EMITTERS = 25u;
+LAYOUT_CONST uint BINDING_NODES = 26u;
+LAYOUT_CONST uint BINDING_LEAF_SHAPES = 27u;
+LAYOUT_CONST uint BINDING_LEAF_REFS = 28u;
+LAYOUT_CONST uint BINDING_TOP_REFS = 29u;
+/// Sums of radiance, after the ray counters.
+LAYOUT_CONST uint BINDING_RADIANCE = 30u;
+LAYOUT_CONST uint BINDING_AOVS = 31u;
+/// No more than 32 storage buffers before it: Mesa's software driver has no more.
+LAYOUT_CONST uint BINDING_FRAME = 32u;
+LAYOUT_CONST uint BINDING_COUNT = 33u;
 
 /// Sides of a workgroup, in pixels.
 LAYOUT_CONST uint GROUP_WIDTH = 8u;

@@ -19,3 +19,5 @@ layout(constant_id = 0) const uint frame_features = 0u;
 layout(constant_id = 1) const uint frame_aovs = 0u;
 /// Entries of the traversal's stack: what the hierarchies at hand need at most.
 layout(constant_id = 2) const uint stack_size = 16u;
+/// FrameParams::integrator likewise.
+layout(constant_id = 3) const uint frame_integrator = 0u;

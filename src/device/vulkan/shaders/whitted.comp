@@ -2,7 +2,6 @@
 // One invocation traces one pixel of the dispatch's rectangle, all of its samples one after the other.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
 
 #include "device/vulkan/shaders/scene.glsl"
 #include "device/vulkan/shaders/trace.glsl"
@@ -11,21 +10,7 @@
 #include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 
-layout(local_size_x = GROUP_WIDTH, local_size_y = GROUP_HEIGHT) in;
-
-layout(scalar, set = 0, binding = BINDING_RADIANCE) restrict buffer radiance_buffer { vec4 radiance_sums[]; };
-layout(scalar, set = 0, binding = BINDING_AOVS) restrict buffer aovs_buffer { PixelAovs pixel_aovs[]; };
-/// Low and high halves of the number of rays, then of shadow rays.
-layout(scalar, set = 0, binding = BINDING_COUNTERS) restrict buffer counters_buffer { uint counters[4]; };
-layout(scalar, push_constant) uniform dispatch_block { Dispatch work; };
-
-void count(uint place, uint rays) {
-    uint sum = subgroupAdd(rays);
-    if (subgroupElect()) {
-        uint before = atomicAdd(counters[place], sum);
-        if (before > 0xffffffffu - sum) atomicAdd(counters[place + 1u], 1u);
-    }
-}
+#include "device/vulkan/shaders/film.glsl"
 
 void main() {
     RayCounts counts = RayCounts(0u, 0u);
@@ -46,11 +31,7 @@ void main() {
             }
             FirstHit first;
             sum += vec4(whitted_radiance(ray, ray.t_max > ray.t_min, counts, first) * at.weight, at.weight);
-            if (frame_aovs != 0u && index == 0u) {
-                float depth = first.geometry == NONE ? uintBitsToFloat(0x7f800000u) : first.t;
-                pixel_aovs[pixel] = PixelAovs(depth, first.normal, first.albedo, first.geometry, first.primitive,
-                                              first.material, 0.0f);
-            }
+            if (frame_aovs != 0u && index == 0u) write_aovs(pixel, first);
         }
         radiance_sums[pixel] = sum;
         if ((frame_aovs & AOV_COST) != 0u) pixel_aovs[pixel].cost = float(counts.rays);
