@@ -25,6 +25,7 @@ struct InfoArguments {
     std::string scene;
     bool devices = false;
     bool all = false;
+    import::Choices choices;
 };
 
 using Clock = std::chrono::steady_clock;
@@ -87,7 +88,7 @@ int print_scene(const InfoArguments& arguments) {
     const std::filesystem::path file = scene_file_or_config(arguments.scene);
     WarningPrinter warnings;
     Clock::time_point start = Clock::now();
-    const scene::Scene scene = import::import_scene(file, warnings.sink());
+    const scene::Scene scene = import::import_scene(file, warnings.sink(), arguments.choices);
     const double read_ms = milliseconds_since(start);
     start = Clock::now();
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warnings.sink());
@@ -104,6 +105,7 @@ int print_scene(const InfoArguments& arguments) {
                                       ? "nothing finite"
                                       : point(compiled->bounds.lower) + " to " + point(compiled->bounds.upper));
     fmt::print("materials  {}\n", scene.materials.size());
+    if (!scene.variants.empty()) fmt::print("variants   {}\n", fmt::join(scene.variants, "\n           "));
     fmt::print("textures   {}\n", scene.textures.size());
     fmt::print("lights     {}\n", scene.lights.size());
     fmt::print("moves      {}\n", scene::is_animated(scene) ? "yes" : "no");
@@ -123,6 +125,7 @@ void add_info(CLI::App& program, Action& action) {
     const auto arguments = std::make_shared<InfoArguments>();
     command->add_option("scene", arguments->scene,
                         "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
+    add_variant_option(*command, arguments->choices);
     command->add_flag("--devices", arguments->devices, "List the devices and why one can't be used");
     command->add_flag("--all", arguments->all, "List all objects");
     command->callback([arguments, &action] {

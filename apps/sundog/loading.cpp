@@ -17,6 +17,13 @@ std::filesystem::path scene_file_or_config(const std::string& named) {
     return config;
 }
 
+void add_variant_option(CLI::App& command, import::Choices& choices) {
+    command
+        .add_option("--variant", choices.variant,
+                    "Which of a glTF file's sets of materials is shown (KHR_materials_variants); 'info' lists them")
+        ->type_name("NAME");
+}
+
 std::string device_for(std::optional<Acceleration> acceleration, const std::string& choice) {
     if (!acceleration) return choice;
     if (choice == "gpu")

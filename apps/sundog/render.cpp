@@ -133,7 +133,7 @@ int render(RenderArguments arguments) {
 
     WarningPrinter warnings;
     const WarningSink warn = warnings.sink();
-    scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
+    scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn, arguments.choices);
     scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
@@ -171,6 +171,7 @@ void add_render(CLI::App& program, Action& action) {
     using Text = const std::string&;
 
     command->add_option("scene", a.scene, "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
+    add_variant_option(*command, a.choices);
     command->add_option(
         "-o,--output", a.output,
         "Picture (.png .jpg .exr .hdr .ppm .tga .bmp), video (.mp4 .webm .gif), or - for standard output");

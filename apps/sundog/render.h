@@ -9,6 +9,7 @@
 #include "camera_views.h"
 #include "compile/compile.h"
 #include "environment_options.h"
+#include "import/import.h"
 #include "light_options.h"
 #include "output_plan.h"
 #include "sampling_options.h"
@@ -26,7 +27,8 @@ enum class Shown {
 
 /// The options of `sundog render`.
 struct RenderArguments {
-    std::string scene;   ///< Empty: raytracer.conf of the working folder.
+    std::string scene;  ///< Empty: raytracer.conf of the working folder.
+    import::Choices choices;
     std::string output;  ///< Empty only with `pixel`.
     std::string format;
     std::string device = "auto";

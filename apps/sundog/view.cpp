@@ -45,6 +45,7 @@ void add_view(CLI::App& program, Action& action) {
 
     command->add_option("scene", arguments->scene,
                         "A .scene, .obj, .gltf, .glb or .conf file; raytracer.conf if left out");
+    add_variant_option(*command, o.choices);
     command
         ->add_option_function<std::string>(
             "--size",

@@ -9,6 +9,7 @@
 import sys
 from pathlib import Path
 
+from gltf_attributes import ATTRIBUTES
 from gltf_models import GLTF
 from models import MODELS
 from picture import unpacked
@@ -23,7 +24,7 @@ def contents():
         yield SCENES / name, make().text().encode()
     for name, make in TEXTURES.items():
         yield SCENES / name, make().png()
-    for name, make in GLTF.items():
+    for name, make in {**GLTF, **ATTRIBUTES}.items():
         yield SCENES / name, make()
 
 

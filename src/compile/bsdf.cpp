@@ -43,13 +43,13 @@ Vec3 attenuation_rate(Vec3 color, float distance) {
 }
 
 /// What alpha leaves of a surface, apart from its map.
-float opacity_of(const PrincipledSurface& s) {
+float opacity_of(const PrincipledSurface& s, bool tinted) {
     switch (s.alpha_mode) {
         case PrincipledSurface::Alpha::opaque:
             return 1;
         case PrincipledSurface::Alpha::mask:
-            // With a map, the map is cut off where its product with alpha is.
-            return s.base_color_map.texture != scene::kNone || s.alpha >= s.alpha_cutoff ? 1.0F : 0.0F;
+            // With a map or colours of vertices, these are cut off where their product with alpha is.
+            return tinted || s.base_color_map.texture != scene::kNone || s.alpha >= s.alpha_cutoff ? 1.0F : 0.0F;
         case PrincipledSurface::Alpha::blend:
             return clamp01(s.alpha);
     }
@@ -100,7 +100,7 @@ kernel::Bsdf named_model(const scene::MtlSurface& s) {
 
 }  // namespace
 
-std::optional<kernel::Bsdf> compile_bsdf(const PrincipledSurface& s) {
+std::optional<kernel::Bsdf> compile_bsdf(const PrincipledSurface& s, bool tinted) {
     if (s.unlit) return std::nullopt;
     kernel::Bsdf out = plain();
     out.color = to_kernel(clamp01(s.base_color));
@@ -127,7 +127,7 @@ std::optional<kernel::Bsdf> compile_bsdf(const PrincipledSurface& s) {
     out.anisotropy_rotation = s.anisotropy_rotation_rad;
     // A wall without thickness refracts nothing.
     out.dispersion = s.thickness > 0 ? std::max(s.dispersion, 0.0F) : 0;
-    out.opacity = opacity_of(s);
+    out.opacity = opacity_of(s, tinted);
     return out;
 }
 
@@ -172,12 +172,15 @@ kernel::BsdfMaps compile_bsdf_maps(const PrincipledSurface& s, std::span<const s
     set(kernel::BSDF_MAP_FILM, s.iridescence_map);
     set(kernel::BSDF_MAP_FILM_THICKNESS, s.iridescence_thickness_map);
     set(kernel::BSDF_MAP_ANISOTROPY, s.anisotropy_map);
+    set(kernel::BSDF_MAP_COAT_NORMAL, s.clearcoat_normal_map);
+    maps.map[kernel::BSDF_MAP_COAT_NORMAL].flags |= kernel::TEXTURE_TURNS_OVER;
     return maps;
 }
 
 bool any_map(const kernel::BsdfMaps& maps) {
     return std::any_of(std::begin(maps.map), std::end(maps.map),
-                       [](const kernel::TextureRef& ref) { return ref.texture != kernel::NONE; });
+                       [](const kernel::TextureRef& ref) { return ref.texture != kernel::NONE; }) ||
+           (maps.map[kernel::BSDF_MAP_OPACITY].flags & kernel::TEXTURE_CUTOFF) != 0;
 }
 
 }  // namespace sundog

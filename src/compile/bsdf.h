@@ -10,8 +10,9 @@
 
 namespace sundog {
 
-/// The model of a physically based surface; none for unlit ones. Its `maps` are left to the caller.
-std::optional<kernel::Bsdf> compile_bsdf(const scene::PrincipledSurface& surface);
+/// The model of a physically based surface; none for unlit ones. Its `maps` are left to the caller. `tinted`: some of
+/// its vertices have colours.
+std::optional<kernel::Bsdf> compile_bsdf(const scene::PrincipledSurface& surface, bool tinted);
 
 /// The model of a surface from an MTL file: one that it names, or by the PBR extension's keys; none where it has
 /// neither.

@@ -6,7 +6,8 @@
 
 namespace sundog {
 
-/// All tables, one after the other, as kernel::BSDF_TABLE_* says from kernel::BSDF_TABLES_FIRST on; worked out when first asked for.
+/// All tables, one after the other, as kernel::BSDF_TABLE_* says from kernel::BSDF_TABLES_FIRST on; worked out when
+/// first asked for.
 const std::vector<float>& bsdf_tables();
 
 }  // namespace sundog

@@ -40,8 +40,8 @@ void compile_textures(const scene::Scene& scene, RenderScene& out) {
 
 /// The material's reflection model, if it has one, as the last of them.
 void append_bsdf(const scene::Material& m, const kernel::MaterialMaps& material_maps,
-                 std::span<const scene::Texture> textures, RenderScene& out) {
-    std::optional<kernel::Bsdf> bsdf = m.principled ? compile_bsdf(*m.principled) : compile_bsdf(*m.mtl);
+                 std::span<const scene::Texture> textures, bool tinted, RenderScene& out) {
+    std::optional<kernel::Bsdf> bsdf = m.principled ? compile_bsdf(*m.principled, tinted) : compile_bsdf(*m.mtl);
     kernel::Material& material = out.materials.back();
     material.bsdf = kernel::NONE;
     if (!bsdf) return;
@@ -58,8 +58,24 @@ void append_bsdf(const scene::Material& m, const kernel::MaterialMaps& material_
     out.bsdfs.push_back(*bsdf);
 }
 
+/// Materials of triangles whose vertices have colours.
+std::vector<bool> tinted_materials(const scene::Scene& scene) {
+    std::vector<bool> tinted(scene.materials.size());
+    const auto has_color = [](const scene::Mesh::Attributes& a) { return !(a.color == Vec3{1, 1, 1} && a.alpha == 1); };
+    for (const scene::Object& object : scene.objects) {
+        const auto* boxed = std::get_if<Boxed<scene::Mesh>>(&object.shape);
+        if (boxed == nullptr || (*boxed)->attributes.empty()) continue;
+        const scene::Mesh& mesh = **boxed;
+        for (const scene::Mesh::Triangle& t : mesh.triangles)
+            for (const std::uint32_t corner : t.texcoord)
+                if (corner != scene::kNone && has_color(mesh.attributes[corner])) tinted[t.material] = true;
+    }
+    return tinted;
+}
+
 void compile_materials(const scene::Scene& scene, RenderScene& out) {
     PatternCompiler patterns(scene, out);
+    const std::vector<bool> tinted = tinted_materials(scene);
     out.material_maps.push_back(no_maps());
     out.materials.reserve(scene.materials.size());
     for (const scene::Material& m : scene.materials) {
@@ -67,14 +83,15 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
             out.materials.push_back(patterns.compile_surface(m));
             out.materials.back().bsdf = kernel::NONE;
         } else {
-            const kernel::MaterialMaps maps =
-                m.principled ? compile_maps(*m.principled, scene.textures) : compile_maps(*m.mtl, scene.textures);
-            out.materials.push_back(m.principled ? compile_material(*m.principled, maps, scene.textures)
+            const bool tints = tinted[static_cast<std::size_t>(&m - scene.materials.data())];
+            const kernel::MaterialMaps maps = m.principled ? compile_maps(*m.principled, scene.textures, tints)
+                                                           : compile_maps(*m.mtl, scene.textures);
+            out.materials.push_back(m.principled ? compile_material(*m.principled, maps, scene.textures, tints)
                                                  : compile_material(*m.mtl, maps));
             kernel::Material& compiled = out.materials.back();
             compiled.emission_power = emission_power({compiled.emission.x, compiled.emission.y, compiled.emission.z},
                                                      maps.emission.texture, scene.textures);
-            append_bsdf(m, maps, scene.textures, out);
+            append_bsdf(m, maps, scene.textures, tints, out);
             if (any_map(maps)) {
                 out.materials.back().maps = static_cast<std::uint32_t>(out.material_maps.size());
                 out.material_maps.push_back(maps);
@@ -119,6 +136,7 @@ MeshAttributes attributes_of(const scene::Scene& scene, const RenderScene& out) 
     for (const scene::Object& object : scene.objects)
         if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
             attributes.normals = attributes.normals || !(*mesh)->normals.empty();
+            attributes.further = attributes.further || (attributes.uvs && !(*mesh)->attributes.empty());
         } else if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
             attributes.normals = attributes.normals || solid_attributes(**solid).normals;
         }
@@ -269,13 +287,17 @@ Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
     return world;
 }
 
+bool has_map(const RenderScene& scene, const kernel::Bsdf& bsdf, std::uint32_t which) {
+    return bsdf.maps != kernel::NONE && scene.bsdf_maps[bsdf.maps].map[which].texture != kernel::NONE;
+}
+
 /// Whether light may pass a material without being bent, as kernel/lights/emitter_shadow.h has it.
 bool is_veil(const RenderScene& scene, const kernel::Material& material) {
     if ((material.flags & kernel::MATERIAL_TRANSPARENT) == 0) return false;
     if (material.bsdf != kernel::NONE) {
         const kernel::Bsdf& bsdf = scene.bsdfs[material.bsdf];
-        return bsdf.opacity < 1 || (bsdf.maps != kernel::NONE &&
-                                    scene.bsdf_maps[bsdf.maps].map[kernel::BSDF_MAP_OPACITY].texture != kernel::NONE);
+        return bsdf.opacity < 1 || (material.flags & kernel::MATERIAL_VERTEX_ALPHA) != 0 ||
+               has_map(scene, bsdf, kernel::BSDF_MAP_OPACITY);
     }
     if ((material.flags & kernel::MATERIAL_PATTERNED) != 0)
         return scene.interiors[scene.patterned[material.patterned].interior].ior == 1;
@@ -285,8 +307,11 @@ bool is_veil(const RenderScene& scene, const kernel::Material& material) {
 std::uint32_t features_of(const RenderScene& scene, const kernel::Material& material) {
     std::uint32_t features = material.bsdf != kernel::NONE ? kernel::FEATURE_BSDF : 0U;
     if (is_veil(scene, material)) features |= kernel::FEATURE_VEILS;
-    if ((features & kernel::FEATURE_BSDF) != 0 && scene.bsdfs[material.bsdf].dispersion > 0)
-        features |= kernel::FEATURE_DISPERSION;
+    if (features & kernel::FEATURE_BSDF) {
+        const kernel::Bsdf& bsdf = scene.bsdfs[material.bsdf];
+        if (bsdf.dispersion > 0) features |= kernel::FEATURE_DISPERSION;
+        if (has_map(scene, bsdf, kernel::BSDF_MAP_COAT_NORMAL)) features |= kernel::FEATURE_BUMP;
+    }
     return features | material_features(material, scene.material_maps[material.maps]) |
            pattern_features(scene, material);
 }
@@ -304,6 +329,7 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) features |= features_of(scene, scene.materials[i]);
     if (attributes.normals && !scene.triangles.empty()) features |= kernel::FEATURE_SMOOTH;
+    if (attributes.further && !scene.triangles.empty()) features |= kernel::FEATURE_VERTEX_ATTRIBUTES;
     if (!scene.spheres.empty() || !scene.boxes.empty() || !scene.planes.empty() || !scene.solids.empty())
         features |= kernel::FEATURE_ANALYTIC;
     for (const kernel::Geometry& g : scene.geometries)
@@ -315,6 +341,19 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
     if (!scene.media_places.empty()) features |= kernel::FEATURE_MEDIA | kernel::FEATURE_HOLLOW;
     if (in_fog) features |= kernel::FEATURE_HOLLOW;
     return features;
+}
+
+/// What of a mesh, about to be listed as `geometry`, can't be seen from behind, and where that has to be looked for.
+void note_one_sided(const scene::Object& object, const kernel::Geometry& geometry, RenderScene& out) {
+    const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape);
+    if (mesh == nullptr) return;
+    const auto first = out.triangles.begin() + geometry.first_primitive;
+    const bool one_sided = std::any_of(first, first + geometry.primitive_count, [&](const kernel::Triangle& t) {
+        return (out.materials[t.material].flags & kernel::MATERIAL_ONE_SIDED) != 0;
+    });
+    if (!one_sided) return;
+    if (!is_closed(**mesh)) out.features |= kernel::FEATURE_ONE_SIDED;
+    else out.closed_one_sided.push_back({static_cast<std::uint32_t>(out.geometries.size()), bounds_of(object)});
 }
 
 }  // namespace
@@ -339,13 +378,14 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         }
         const kernel::Geometry geometry = std::visit(PrimitiveWriter{object, attributes, *out, warn}, object.shape);
         if (geometry.primitive_count == 0) continue;
+        note_one_sided(object, geometry, *out);
         list.add(geometry, object);
         list.add_bounds(world_bounds_of(object, bounds_of(object)));
     }
     list.finish(warn);
     find_shining(*out);
     if (scene.environment) compile_environment(*scene.environment, *out);
-    out->features = features_of(*out, attributes, list.moving());
+    out->features |= features_of(*out, attributes, list.moving());
     const auto grouped = [](const scene::Light& light) { return light.group != 0; };
     if (!scene.light_sets.empty() || std::any_of(scene.lights.begin(), scene.lights.end(), grouped))
         out->features |= kernel::FEATURE_LIGHT_GROUPS;

@@ -44,6 +44,27 @@ std::vector<kernel::Instance> instances_at(const scene::Scene& scene, const Rend
     return instances;
 }
 
+/// True where the eye might see the inside of a mesh that hides its inside.
+bool eye_is_within_closed_mesh(const RenderScene& compiled, const Frame& frame) {
+    // Cameras whose rays start elsewhere may be anywhere.
+    const bool anywhere = frame.camera_rays != nullptr || frame.params.camera_kind != kernel::CAMERA_PERSPECTIVE;
+    return std::any_of(compiled.closed_one_sided.begin(), compiled.closed_one_sided.end(), [&](const ClosedMesh& mesh) {
+        const auto host = [](const kernel::vec3& v) { return Vec3{v.x, v.y, v.z}; };
+        Vec3 eye = host(frame.params.camera.eye);
+        if (const std::uint32_t instance = compiled.geometries[mesh.geometry].instance; instance != kernel::NONE) {
+            const kernel::Instance& i = frame.instances[instance];
+            eye = transform_point({host(i.object_from_world_x), host(i.object_from_world_y),
+                                   host(i.object_from_world_z), host(i.object_from_world_t)},
+                                  eye);
+        }
+        // A lens reaches a little beyond the eye.
+        const Vec3 margin = Vec3{1, 1, 1} * (0.01F * length(mesh.bounds.extent()) + frame.params.lens_radius);
+        const Vec3 lower = mesh.bounds.lower - margin, upper = mesh.bounds.upper + margin;
+        return anywhere || (eye.x >= lower.x && eye.y >= lower.y && eye.z >= lower.z && eye.x <= upper.x &&
+                            eye.y <= upper.y && eye.z <= upper.z);
+    });
+}
+
 std::uint32_t plane_count_of(const RenderScene& compiled) {
     std::uint32_t planes = 0;
     for (const kernel::Geometry& g : compiled.geometries)
@@ -255,6 +276,7 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
     params.lens_radius = options.lens_radius;
     params.focus_distance = options.focus_distance;
     params.lens_blades = options.lens_blades;
+    if (eye_is_within_closed_mesh(compiled, frame)) params.features |= kernel::FEATURE_ONE_SIDED;
     params.occlusion_distance = options.occlusion_distance;
     if (!(params.occlusion_distance > 0))
         params.occlusion_distance =

@@ -69,7 +69,7 @@ kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const sce
     kernel::TextureRef ref{};
     ref.texture = use.texture < textures.size() && !textures[use.texture].rgba8.empty() ? use.texture : kernel::NONE;
     ref.flags = wrap_flags(use) | (std::uint32_t{use.channel} << kernel::TEXTURE_CHANNEL_SHIFT) |
-                (use.nearest ? kernel::TEXTURE_NEAREST : 0U);
+                (use.nearest ? kernel::TEXTURE_NEAREST : 0U) | (use.uv_set > 0 ? kernel::TEXTURE_SECOND_UV : 0U);
     ref.scale = to_kernel(use.scale);
     if (!(use.shear == Vec2{})) ref.flags |= kernel::TEXTURE_TURNED;
     ref.shear = to_kernel(use.shear);
@@ -81,18 +81,19 @@ kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const sce
 kernel::MaterialMaps no_maps() {
     kernel::MaterialMaps maps{};
     for (kernel::TextureRef* map :
-         {&maps.diffuse, &maps.specular, &maps.emission, &maps.opacity, &maps.bump, &maps.normal})
+         {&maps.diffuse, &maps.specular, &maps.emission, &maps.opacity, &maps.bump, &maps.normal, &maps.occlusion})
         map->texture = kernel::NONE;
     return maps;
 }
 
 bool any_map(const kernel::MaterialMaps& maps) {
     return std::min({maps.diffuse.texture, maps.specular.texture, maps.emission.texture, maps.opacity.texture,
-                     maps.bump.texture, maps.normal.texture}) != kernel::NONE;
+                     maps.bump.texture, maps.normal.texture, maps.occlusion.texture}) != kernel::NONE ||
+           (maps.opacity.flags & kernel::TEXTURE_CUTOFF) != 0;
 }
 
 kernel::MaterialMaps compile_maps(const scene::MtlSurface& m, std::span<const scene::Texture> textures) {
-    kernel::MaterialMaps maps{};
+    kernel::MaterialMaps maps = no_maps();
     maps.diffuse = compile_use(m.map_diffuse, textures);
     maps.specular = compile_use(m.map_specular, textures);
     maps.emission = compile_use(m.map_emission, textures);
@@ -147,7 +148,8 @@ std::uint32_t material_features(const kernel::Material& m, const kernel::Materia
     if (m.flags & kernel::MATERIAL_TEXTURED) features |= kernel::FEATURE_TEXTURES;
     if (m.flags & kernel::MATERIAL_HIGHLIGHT) features |= kernel::FEATURE_HIGHLIGHTS;
     if (!black(m.reflectance)) features |= kernel::FEATURE_MIRRORS;
-    if (!black(m.transmittance) || maps.opacity.texture != kernel::NONE) features |= kernel::FEATURE_TRANSPARENT;
+    const bool fades = maps.opacity.texture != kernel::NONE || (m.flags & kernel::MATERIAL_VERTEX_ALPHA) != 0;
+    if (!black(m.transmittance) || fades) features |= kernel::FEATURE_TRANSPARENT;
     if (maps.bump.texture != kernel::NONE || maps.normal.texture != kernel::NONE) features |= kernel::FEATURE_BUMP;
     return features;
 }

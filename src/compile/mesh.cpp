@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cfloat>
 #include <cmath>
 
@@ -46,10 +48,19 @@ std::uint32_t grow(std::vector<T>& array, std::size_t count, const scene::Object
     return static_cast<std::uint32_t>(first);
 }
 
-kernel::TriangleCorners corners(const std::uint32_t (&index)[3], std::uint32_t first) {
+kernel::TriangleCorners corners(const std::uint32_t (&index)[3], std::uint32_t first, std::uint32_t stride = 1) {
     if (index[0] == scene::kNone || index[1] == scene::kNone || index[2] == scene::kNone)
         return {kernel::NONE, kernel::NONE, kernel::NONE};
-    return {first + index[0], first + index[1], first + index[2]};
+    return {first + stride * index[0], first + stride * index[1], first + stride * index[2]};
+}
+
+/// A vertex's further numbers, behind its texture coordinates at `vertex`.
+void put(const scene::Mesh::Attributes& a, kernel::vec2* vertex) {
+    vertex[kernel::VERTEX_SECOND_UV] = to_kernel(a.second_texcoord);
+    vertex[kernel::VERTEX_COLOR] = {a.color.x, a.color.y};
+    vertex[kernel::VERTEX_COLOR + 1] = {a.color.z, a.alpha};
+    vertex[kernel::VERTEX_TANGENT] = {a.tangent.x, a.tangent.y};
+    vertex[kernel::VERTEX_TANGENT + 1] = {a.tangent.z, a.handedness};
 }
 
 bool is_zero(const kernel::vec3& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
@@ -84,7 +95,54 @@ void warn_of_dropped(const scene::Object& object, std::size_t dropped, std::size
           "", ""});
 }
 
+/// A number for a place that hardly any other has (the mixing of Steele, Lea and Flood's SplitMix64, 2014).
+std::uint64_t hash_of(Vec3 p) {
+    std::uint64_t hash = 0x9e3779b97f4a7c15U;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // Zero has two signs.
+        hash ^= std::bit_cast<std::uint32_t>(p[axis] + 0.0F);
+        hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9U;
+        hash = (hash ^ (hash >> 27U)) * 0x94d049bb133111ebU;
+        hash ^= hash >> 31U;
+    }
+    return hash;
+}
+
+/// A number for an edge; the same edge the other way round has its negative.
+std::uint64_t hash_of(std::uint64_t from, std::uint64_t to) {
+    std::uint64_t hash = std::min(from, to) * 3 + std::max(from, to);
+    hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9U;
+    hash ^= hash >> 31U;
+    return from < to ? hash : from > to ? ~hash + 1 : 0;
+}
+
 }  // namespace
+
+/// Each edge of a closed surface belongs to two triangles, which go along it in opposite ways: then the sum of all
+/// edges' hashes is 0, and otherwise hardly ever. Seen from outside, a surface around a volume shows its front.
+bool is_closed(const scene::Mesh& mesh) {
+    struct Sums {
+        std::uint64_t edges = 0;
+        double volume = 0;
+    };
+    const std::size_t blocks = (mesh.triangles.size() + kBlock - 1) / kBlock;
+    std::vector<Sums> sums(blocks);
+    parallel_blocks(mesh.triangles.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const scene::Mesh::Triangle& t = mesh.triangles[i];
+            std::array<std::uint64_t, 3> corner{};
+            std::array<Vec3, 3> place;
+            for (std::size_t k = 0; k < 3; ++k) place[k] = mesh.positions[t.position[k]], corner[k] = hash_of(place[k]);
+            for (std::size_t k = 0; k < 3; ++k) sums[block].edges += hash_of(corner[k], corner[(k + 1) % 3]);
+            // Six times the volume of the tetrahedron that the triangle spans with the first vertex.
+            const Vec3 o = mesh.positions.front();
+            sums[block].volume += static_cast<double>(dot(place[0] - o, cross(place[1] - o, place[2] - o)));
+        }
+    });
+    Sums all;
+    for (const Sums& s : sums) all.edges += s.edges, all.volume += s.volume;
+    return all.edges == 0 && all.volume > 0;
+}
 
 std::uint32_t append_mesh(const scene::Object& object, const scene::Mesh& mesh, MeshAttributes attributes,
                           RenderScene& out, const WarningSink& warn) {
@@ -106,10 +164,18 @@ std::uint32_t append_mesh(const scene::Object& object, const scene::Mesh& mesh, 
                 out.normals[first_normal + i] = to_kernel(normalize(mesh.normals[i]));
         });
     }
+    const std::uint32_t uv_stride = attributes.further ? kernel::VERTEX_UVS : 1;
     if (attributes.uvs) {
-        first_uv = grow(out.uvs, mesh.texcoords.size(), object, "texture coordinates");
+        first_uv = grow(out.uvs, uv_stride * mesh.texcoords.size(), object, "texture coordinates");
         parallel_blocks(mesh.texcoords.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) out.uvs[first_uv + i] = to_kernel(mesh.texcoords[i]);
+            for (std::size_t i = begin; i < end; ++i) {
+                kernel::vec2* const to = &out.uvs[first_uv + uv_stride * i];
+                *to = to_kernel(mesh.texcoords[i]);
+                if (!attributes.further) continue;
+                scene::Mesh::Attributes plain;
+                plain.second_texcoord = mesh.texcoords[i];
+                put(mesh.attributes.empty() ? plain : mesh.attributes[i], to);
+            }
         });
     }
 
@@ -125,7 +191,7 @@ std::uint32_t append_mesh(const scene::Object& object, const scene::Mesh& mesh, 
                                  first_position + t.position[2], t.material};
             if (attributes.normals)
                 out.triangle_normals[to] = flat_where_zero(corners(t.normal, first_normal), out.normals);
-            if (attributes.uvs) out.triangle_uvs[to] = corners(t.texcoord, first_uv);
+            if (attributes.uvs) out.triangle_uvs[to] = corners(t.texcoord, first_uv, uv_stride);
             ++to;
         }
     });

@@ -77,9 +77,9 @@ void set_reflection(const PrincipledSurface& s, float metallic, float roughness,
 }
 
 /// The alpha of `mask` and `blend`.
-void set_alpha(const PrincipledSurface& s, bool mapped, kernel::Material& out) {
+void set_alpha(const PrincipledSurface& s, bool varies, kernel::Material& out) {
     const bool mask = s.alpha_mode == PrincipledSurface::Alpha::mask;
-    if (s.alpha_mode == PrincipledSurface::Alpha::opaque || (mask && (mapped || s.alpha >= s.alpha_cutoff))) return;
+    if (s.alpha_mode == PrincipledSurface::Alpha::opaque || (mask && (varies || s.alpha >= s.alpha_cutoff))) return;
     const float alpha = mask ? 0 : s.alpha;
     const Vec3 passes{out.transmittance.x, out.transmittance.y, out.transmittance.z};
     out.transmittance = to_kernel(kWhite - (kWhite - passes) * alpha);
@@ -87,21 +87,37 @@ void set_alpha(const PrincipledSurface& s, bool mapped, kernel::Material& out) {
         *part = {part->x * alpha, part->y * alpha, part->z * alpha};
 }
 
+/// What colours of vertices multiply beside the matt part.
+std::uint32_t tint_flags(const PrincipledSurface& s, float metallic) {
+    std::uint32_t flags = kernel::MATERIAL_TEXTURED;
+    if (s.alpha_mode != PrincipledSurface::Alpha::opaque) flags |= kernel::MATERIAL_VERTEX_ALPHA;
+    else flags |= kernel::MATERIAL_VERTEX_PASSES;
+    if (s.unlit) flags |= kernel::MATERIAL_VERTEX_EMISSION;
+    // A metal's colour is that of its reflection.
+    else if (metallic > 0.5F) flags |= kernel::MATERIAL_VERTEX_SPECULAR;
+    return flags;
+}
+
 }  // namespace
 
-kernel::MaterialMaps compile_maps(const PrincipledSurface& s, std::span<const scene::Texture> textures) {
+kernel::MaterialMaps compile_maps(const PrincipledSurface& s, std::span<const scene::Texture> textures, bool tinted) {
     kernel::MaterialMaps maps = no_maps();
     const float metallic = s.metallic * mean_of(s.metallic_roughness_map, 2, textures);
     maps.diffuse = compile_use(s.base_color_map, textures);
     // A metal's colour is that of its reflection.
     if (metallic > 0.5F) maps.specular = maps.diffuse;
     maps.emission = compile_use(s.unlit ? s.base_color_map : s.emission_map, textures);
-    maps.normal = s.unlit ? no_maps().normal : compile_use(s.normal_map, textures);
+    if (!s.unlit) {
+        maps.normal = compile_use(s.normal_map, textures);
+        maps.normal.flags |= kernel::TEXTURE_TURNS_OVER;
+        maps.occlusion = compile_use(s.occlusion_map, textures);
+    }
     if (s.alpha_mode != PrincipledSurface::Alpha::opaque) {
         scene::TextureUse alpha = s.base_color_map;
         alpha.channel = kAlphaChannel;
         maps.opacity = compile_use(alpha, textures);
-        if (s.alpha_mode == PrincipledSurface::Alpha::mask) {
+        const bool varies = tinted || maps.opacity.texture != kernel::NONE;
+        if (varies && s.alpha_mode == PrincipledSurface::Alpha::mask) {
             maps.opacity.flags |= kernel::TEXTURE_CUTOFF;
             maps.opacity.strength = s.alpha > 0 ? s.alpha_cutoff / s.alpha : 2;
         }
@@ -110,13 +126,13 @@ kernel::MaterialMaps compile_maps(const PrincipledSurface& s, std::span<const sc
 }
 
 kernel::Material compile_material(const PrincipledSurface& s, const kernel::MaterialMaps& maps,
-                                  std::span<const scene::Texture> textures) {
+                                  std::span<const scene::Texture> textures, bool tinted) {
     kernel::Material out{};
     out.ior = 1;
+    const float metallic = std::clamp(s.metallic * mean_of(s.metallic_roughness_map, 2, textures), 0.0F, 1.0F);
     if (s.unlit) {
         out.emission = to_kernel(s.base_color);
     } else {
-        const float metallic = std::clamp(s.metallic * mean_of(s.metallic_roughness_map, 2, textures), 0.0F, 1.0F);
         const float roughness = std::clamp(s.roughness * mean_of(s.metallic_roughness_map, 1, textures), 0.0F, 1.0F);
         const float transmission = s.transmission * mean_of(s.transmission_map, 0, textures);
         set_reflection(s, metallic, roughness, out);
@@ -136,11 +152,16 @@ kernel::Material compile_material(const PrincipledSurface& s, const kernel::Mate
             out.diffuse = out.ambient = to_kernel(unthinned(matt, passes));
         }
     }
-    set_alpha(s, maps.opacity.texture != kernel::NONE, out);
+    const bool varies = maps.opacity.texture != kernel::NONE || tinted;
+    set_alpha(s, varies, out);
     const auto black = [](const kernel::vec3& c) { return !(c.x > 0 || c.y > 0 || c.z > 0); };
     if (!black(out.specular) && out.shininess > 0) out.flags |= kernel::MATERIAL_HIGHLIGHT;
     if (any_map(maps)) out.flags |= kernel::MATERIAL_TEXTURED;
-    if (!black(out.transmittance) || maps.opacity.texture != kernel::NONE) out.flags |= kernel::MATERIAL_TRANSPARENT;
+    if (tinted) out.flags |= tint_flags(s, metallic);
+    const bool fades = s.alpha_mode != PrincipledSurface::Alpha::opaque && varies;
+    if (!black(out.transmittance) || fades) out.flags |= kernel::MATERIAL_TRANSPARENT;
+    // What light goes through is seen from inside, too.
+    if (!s.double_sided && !(s.transmission > 0)) out.flags |= kernel::MATERIAL_ONE_SIDED;
     return out;
 }
 

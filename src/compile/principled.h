@@ -8,7 +8,8 @@
 // roughness from a map are the map's means. Clearcoat is one more dielectric mirror. What is transmitted goes through
 // clearly: refracted where there is a volume, whose attenuation over its thickness colours it; else straight on.
 // `mask` cuts at the map's alpha; `blend` lets light pass straight through by it. An unlit surface emits its colour.
-// Occlusion, sheen, iridescence, anisotropy and dispersion don't show.
+// Colours of vertices multiply what the base colour does; occlusion dims ambient light. Sheen, iridescence, anisotropy
+// and dispersion don't show.
 #pragma once
 
 #include <span>
@@ -18,11 +19,12 @@
 
 namespace sundog {
 
-/// The textures of `surface`.
-kernel::MaterialMaps compile_maps(const scene::PrincipledSurface& surface, std::span<const scene::Texture> textures);
+/// The textures of `surface`. `tinted`: some of its vertices have colours.
+kernel::MaterialMaps compile_maps(const scene::PrincipledSurface& surface, std::span<const scene::Texture> textures,
+                                  bool tinted = false);
 
 /// The kernel's material of `surface`, whose compile_maps() are `maps`; where they stand is left to the caller.
 kernel::Material compile_material(const scene::PrincipledSurface& surface, const kernel::MaterialMaps& maps,
-                                  std::span<const scene::Texture> textures);
+                                  std::span<const scene::Texture> textures, bool tinted = false);
 
 }  // namespace sundog

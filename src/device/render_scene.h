@@ -58,6 +58,12 @@ struct PhotonTarget {
     std::uint32_t flags = 0;  ///< PHOTONS_*, without a number.
 };
 
+/// A mesh around something solid, whose triangles nobody sees from behind who isn't within its bounds.
+struct ClosedMesh {
+    std::uint32_t geometry = 0;
+    Bounds3 bounds;  ///< In the space of its vertices.
+};
+
 /// A triangle or sphere whose material shines.
 struct ShiningPrimitive {
     std::uint32_t geometry = 0, primitive = 0;
@@ -75,6 +81,7 @@ struct RenderScene : render_scene_detail::Arrays {
     std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
     std::vector<ShiningPrimitive> shining;        ///< What paths may aim at.
+    std::vector<ClosedMesh> closed_one_sided;     ///< Those with MATERIAL_ONE_SIDED; others set FEATURE_ONE_SIDED.
     kernel::Environment environment{};            ///< Its `probability` is the frame's; width 0: there is none.
     double environment_mean = 0;                  ///< Mean luminance of it over all directions.
     std::optional<SourceLocation> radiosity;      ///< Where the scene asks for it, if it does.

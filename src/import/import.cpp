@@ -82,8 +82,8 @@ bool has_light(const scene::Scene& scene) {
            std::any_of(scene.materials.begin(), scene.materials.end(), shines);
 }
 
-scene::Scene import_gltf_model(const std::filesystem::path& file, const WarningSink& warn) {
-    scene::Scene scene = gltf::import_gltf(file, warn);
+scene::Scene import_gltf_model(const std::filesystem::path& file, const WarningSink& warn, const Choices& choices) {
+    scene::Scene scene = gltf::import_gltf(file, warn, choices.variant);
     if (!scene.projection_camera) add_camera(scene);
     if (!has_light(scene)) add_daylight(scene);
     return scene;
@@ -116,11 +116,14 @@ scene::Scene import_default_scene(const std::filesystem::path& file, const Warni
 
 }  // namespace
 
-scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& warn) {
+scene::Scene import_scene(const std::filesystem::path& file, const WarningSink& warn, const Choices& choices) {
     const std::string ending = ending_of(file);
+    if (!choices.variant.empty() && ending != ".gltf" && ending != ".glb")
+        fail_file(std::make_shared<const std::string>(file.string()),
+                  "there is no variant '" + choices.variant + "': only glTF files have variants");
     if (ending == ".conf") return import_default_scene(file, warn);
     if (ending == ".obj") return import_model(file, warn);
-    if (ending == ".gltf" || ending == ".glb") return import_gltf_model(file, warn);
+    if (ending == ".gltf" || ending == ".glb") return import_gltf_model(file, warn, choices);
     if (ending == ".pov") return import_pov_scene(file, warn);
     if (ending != ".scene") {
         fail_file(std::make_shared<const std::string>(file.string()), "a scene of unknown format",

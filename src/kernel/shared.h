@@ -116,6 +116,15 @@ KERNEL_CONST uint MATERIAL_TRANSPARENT = 32u;  ///< transmittance is not black, 
 KERNEL_CONST uint MATERIAL_PATTERNED = 64u;  ///< A texture of layers: Material::patterned says which.
 KERNEL_CONST uint MATERIAL_BACKLIT = 128u;   ///< Light on its back is seen from the front.
 
+/// If FEATURE_ONE_SIDED: the eye doesn't see triangles of it from behind (glTF's `doubleSided` false).
+KERNEL_CONST uint MATERIAL_ONE_SIDED = 256u;
+/// If FEATURE_VERTEX_ATTRIBUTES, what vertices' colours multiply beside the matt colour: opacity, by their alpha; the
+/// mirror and highlight; what is emitted; what passes through.
+KERNEL_CONST uint MATERIAL_VERTEX_ALPHA = 512u;
+KERNEL_CONST uint MATERIAL_VERTEX_SPECULAR = 1024u;
+KERNEL_CONST uint MATERIAL_VERTEX_EMISSION = 2048u;
+KERNEL_CONST uint MATERIAL_VERTEX_PASSES = 4096u;
+
 /// Bsdf::kind (kernel/bsdf).
 KERNEL_CONST uint BSDF_PRINCIPLED = 0u;
 KERNEL_CONST uint BSDF_OREN_NAYAR = 1u;
@@ -142,7 +151,8 @@ KERNEL_CONST uint BSDF_MAP_FILM_THICKNESS = 9u;
 KERNEL_CONST uint BSDF_MAP_ANISOTROPY = 10u;
 KERNEL_CONST uint BSDF_MAP_COLOR = 11u;
 KERNEL_CONST uint BSDF_MAP_OPACITY = 12u;  ///< As MaterialMaps::opacity.
-KERNEL_CONST uint BSDF_MAP_COUNT = 13u;
+KERNEL_CONST uint BSDF_MAP_COAT_NORMAL = 13u;
+KERNEL_CONST uint BSDF_MAP_COUNT = 14u;
 
 /// Where what stands in `tables` behind the values of sRGB: a table's rows are roughnesses, its columns cosines
 /// (kernel/bsdf/albedo_tables.h).
@@ -291,6 +301,10 @@ KERNEL_CONST uint TEXTURE_MIRROR_V = 128u;
 KERNEL_CONST uint TEXTURE_NEAREST = 256u;
 KERNEL_CONST uint TEXTURE_TURNED = 512u;
 KERNEL_CONST uint TEXTURE_CUTOFF = 1024u;
+/// If FEATURE_VERTEX_ATTRIBUTES: looked up by the second texture coordinates.
+KERNEL_CONST uint TEXTURE_SECOND_UV = 2048u;
+/// A normal map that is seen from behind as its own back: what stands out there is a dent.
+KERNEL_CONST uint TEXTURE_TURNS_OVER = 4096u;
 /// What few textures need: bits that texture_lookup() asks for one by one only where some lane has any.
 KERNEL_CONST uint TEXTURE_RARE =
     TEXTURE_CLAMP_U | TEXTURE_CLAMP_V | TEXTURE_MIRROR_U | TEXTURE_MIRROR_V | TEXTURE_NEAREST;
@@ -327,11 +341,21 @@ KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;       ///< Caustics by photons (th
 KERNEL_CONST uint FEATURE_CAUSTICS = 16777216u;     ///< Some interior brightens shadows (POV-Ray's `caustics`).
 KERNEL_CONST uint FEATURE_ENVIRONMENT = 33554432u;  ///< FrameParams::environment is what rays see that miss all else.
 KERNEL_CONST uint FEATURE_VEILS = 67108864u;        ///< Some material lets light pass that doesn't bend.
+/// Some vertex has a colour, a tangent or second texture coordinates: each has VERTEX_UVS entries of `uvs`.
+KERNEL_CONST uint FEATURE_VERTEX_ATTRIBUTES = 134217728u;
+KERNEL_CONST uint FEATURE_ONE_SIDED = 268435456u;  ///< The eye may see some MATERIAL_ONE_SIDED from behind.
+
+/// With FEATURE_VERTEX_ATTRIBUTES, a vertex's entries of `uvs`: its texture coordinates, the second ones, red and
+/// green, blue and alpha, and a tangent's x and y, z and handedness (1 or -1; all 0: it has none).
+KERNEL_CONST uint VERTEX_UVS = 6u;
+KERNEL_CONST uint VERTEX_SECOND_UV = 1u;
+KERNEL_CONST uint VERTEX_COLOR = 2u;
+KERNEL_CONST uint VERTEX_TANGENT = 4u;
 
 /// What the plainest scenes need: opaque, untextured, at rest. The CPU device compiles its kernel once more for them
 /// alone.
 KERNEL_CONST uint FEATURES_PLAIN =
-    FEATURE_SMOOTH | FEATURE_SHADOWS | FEATURE_MIRRORS | FEATURE_HIGHLIGHTS | FEATURE_ANALYTIC;
+    FEATURE_SMOOTH | FEATURE_SHADOWS | FEATURE_MIRRORS | FEATURE_HIGHLIGHTS | FEATURE_ANALYTIC | FEATURE_ONE_SIDED;
 /// The same for its kernel of paths, to which glass is as plain as mirrors are.
 KERNEL_CONST uint FEATURES_PLAIN_PATHS = FEATURES_PLAIN | FEATURE_TRANSPARENT;
 
@@ -473,6 +497,7 @@ struct BsdfMaps {
 /// The textures of a material. Number 0 has none.
 struct MaterialMaps {
     TextureRef diffuse, specular, emission, opacity, bump, normal;
+    TextureRef occlusion;  ///< Of ambient light; `strength` is its share.
 };
 
 /// A texture of layers where it lies on an object, and what is inside the object. Lanes whose materials have the same

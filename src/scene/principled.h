@@ -3,6 +3,8 @@
 // whose names, defaults and meanings these are.
 #pragma once
 
+#include <array>
+
 #include "base/vec.h"
 #include "scene/texture_use.h"
 
@@ -27,8 +29,8 @@ struct PrincipledSurface {
     Vec3 emission{0, 0, 0};  ///< Radiance.
     TextureUse emission_map;
 
-    bool double_sided = false;
-    bool unlit = false;  ///< KHR_materials_unlit: the base colour is its radiance.
+    bool double_sided = false;  ///< Else its back can't be seen, unless light passes through.
+    bool unlit = false;         ///< KHR_materials_unlit: the base colour is its radiance.
 
     float ior = 1.5F;    ///< KHR_materials_ior
     float specular = 1;  ///< KHR_materials_specular
@@ -63,5 +65,27 @@ struct PrincipledSurface {
     float anisotropy = 0, anisotropy_rotation_rad = 0;  ///< KHR_materials_anisotropy
     TextureUse anisotropy_map;                          ///< Direction in red and green, strength in blue.
 };
+
+/// All maps of a surface.
+template <class Surface>
+auto maps_of(Surface& s) {
+    return std::array{&s.base_color_map,
+                      &s.metallic_roughness_map,
+                      &s.normal_map,
+                      &s.occlusion_map,
+                      &s.emission_map,
+                      &s.specular_map,
+                      &s.specular_color_map,
+                      &s.transmission_map,
+                      &s.thickness_map,
+                      &s.clearcoat_map,
+                      &s.clearcoat_roughness_map,
+                      &s.clearcoat_normal_map,
+                      &s.sheen_color_map,
+                      &s.sheen_roughness_map,
+                      &s.iridescence_map,
+                      &s.iridescence_thickness_map,
+                      &s.anisotropy_map};
+}
 
 }  // namespace sundog::scene

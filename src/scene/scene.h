@@ -186,8 +186,17 @@ struct Mesh {
         std::uint32_t texcoord[3];  ///< kNone in all three: none.
         Index material;
     };
+    /// What few meshes have beside texture coordinates.
+    struct Attributes {
+        Vec2 second_texcoord;
+        Vec3 color{1, 1, 1};   ///< Linear RGB; multiplies a principled surface's base colour,
+        float alpha = 1;       ///< and this its alpha.
+        Vec3 tangent;          ///< Along a normal map's x; zero: as the texture coordinates say.
+        float handedness = 1;  ///< Along its y goes the normal's cross product with the tangent, times this.
+    };
     std::vector<Vec3> positions, normals;
     std::vector<Vec2> texcoords;
+    std::vector<Attributes> attributes;  ///< As many as texcoords, or none.
     std::vector<Triangle> triangles;
 };
 
@@ -308,7 +317,8 @@ struct Radiosity {
 /// A whole scene. Value type; importers make it, compile/ reads it.
 struct Scene {
     std::string name;
-    std::vector<std::string> files;  ///< Every file that was read, for hot reload.
+    std::vector<std::string> files;     ///< Every file that was read, for hot reload.
+    std::vector<std::string> variants;  ///< Names of other sets of materials that the file has.
     OrbitCamera camera;
     std::optional<ProjectionCamera> projection_camera;  ///< Instead of `camera`.
     std::vector<Light> lights;

@@ -26,7 +26,7 @@ struct TextureUse {
     bool nearest = false;      ///< One texel, not a mean of four.
     float strength = 1;        ///< Bump multiplier.
     std::uint8_t channel = 0;  ///< For scalar maps: 0 r, 1 g, 2 b, 3 alpha (matte), 4 luminance.
-    std::uint8_t uv_set = 0;   ///< Which of a mesh's sets of texture coordinates it is looked up by.
+    std::uint8_t uv_set = 0;   ///< 0: looked up by a mesh's texture coordinates; 1: by its second ones.
 };
 
 }  // namespace sundog::scene

@@ -42,6 +42,14 @@ struct ShapeCheck {
                     std::all_of(mesh.normals.begin(), mesh.normals.end(), finite) &&
                     std::all_of(mesh.texcoords.begin(), mesh.texcoords.end(), finite_uv),
                 object.where, thing, "holds a number that is not finite");
+        const auto finite_attributes = [&](const Mesh::Attributes& a) {
+            return finite(a.color) && finite(a.tangent) && finite_uv(a.second_texcoord) && std::isfinite(a.alpha) &&
+                   std::isfinite(a.handedness);
+        };
+        require(std::all_of(mesh.attributes.begin(), mesh.attributes.end(), finite_attributes), object.where, thing,
+                "holds a number that is not finite");
+        require(mesh.attributes.empty() || mesh.attributes.size() == mesh.texcoords.size(), object.where, thing,
+                "has attributes for other vertices than texture coordinates");
         for (const Mesh::Triangle& t : mesh.triangles) {
             require(in_range(t.position, mesh.positions.size(), false), object.where, thing, "lacks a vertex");
             require(in_range(t.normal, mesh.normals.size(), true), object.where, thing, "lacks a normal");
@@ -87,12 +95,7 @@ void check_principled(const Scene& scene, const Material& material) {
     for (const Vec3 color : {s.base_color, s.emission, s.specular_color, s.attenuation_color, s.sheen_color})
         require(sundog::is_finite(color), material.where, "material '" + material.name + "'",
                 "holds a number that is not finite");
-    for (const TextureUse* use :
-         {&s.base_color_map, &s.metallic_roughness_map, &s.normal_map, &s.occlusion_map, &s.emission_map,
-          &s.specular_map, &s.specular_color_map, &s.transmission_map, &s.thickness_map, &s.clearcoat_map,
-          &s.clearcoat_roughness_map, &s.clearcoat_normal_map, &s.sheen_color_map, &s.sheen_roughness_map,
-          &s.iridescence_map, &s.iridescence_thickness_map, &s.anisotropy_map})
-        check(scene, material, *use);
+    for (const TextureUse* use : maps_of(s)) check(scene, material, *use);
 }
 
 void check(const Scene& scene, const Material& material) {

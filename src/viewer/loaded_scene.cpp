@@ -9,10 +9,11 @@
 
 namespace sundog::viewer {
 
-std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change) {
+std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change,
+                                              const import::Choices& choices) {
     auto loaded = std::make_shared<LoadedScene>();
     const WarningSink keep = [&](const Diagnostic& warning) { loaded->warnings.push_back(warning); };
-    loaded->scene = import::import_scene(file, keep);
+    loaded->scene = import::import_scene(file, keep, choices);
     if (change) change(loaded->scene);
     loaded->compiled = compile(loaded->scene, keep);
     loaded->animated = is_animated(loaded->scene) && !loaded->scene.settings.freeze_s;

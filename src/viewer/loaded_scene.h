@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "device/render_scene.h"
+#include "import/import.h"
 #include "scene/scene.h"
 
 namespace sundog::viewer {
@@ -26,7 +27,8 @@ struct LoadedScene {
 using SceneChange = std::function<void(scene::Scene&)>;
 
 /// Imports, changes (where there is a change to make) and compiles. Errors: InputError.
-std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change = {});
+std::shared_ptr<const LoadedScene> load_scene(const std::filesystem::path& file, const SceneChange& change = {},
+                                              const import::Choices& choices = {});
 
 /// The same scene with its meshes as they are bent at a moment.
 std::shared_ptr<const LoadedScene> bent_at(const LoadedScene& loaded, float time_s);

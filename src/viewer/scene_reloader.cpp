@@ -13,9 +13,10 @@ constexpr std::chrono::milliseconds kLookEvery{200};
 }  // namespace
 
 SceneReloader::SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown,
-                             SceneChange change)
+                             SceneChange change, import::Choices choices)
     : file_(std::move(file)),
       change_(std::move(change)),
+      choices_(std::move(choices)),
       watched_(now_shown->scene.files),
       next_look_(std::chrono::steady_clock::now()) {
     watch_.watch(watched_);
@@ -29,7 +30,7 @@ std::shared_ptr<const LoadedScene> SceneReloader::poll() {
     }
     if (now < next_look_) return nullptr;
     next_look_ = now + kLookEvery;
-    if (watch_.changed()) next_ = std::async(std::launch::async, load_scene, file_, change_);
+    if (watch_.changed()) next_ = std::async(std::launch::async, load_scene, file_, change_, choices_);
     return nullptr;
 }
 

@@ -16,8 +16,9 @@ namespace sundog::viewer {
 /// Watches the files of a scene.
 class SceneReloader {
 public:
-    /// `now_shown` was read from `file` and changed by `change`.
-    SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown, SceneChange change);
+    /// `now_shown` was read from `file` with `choices` and changed by `change`.
+    SceneReloader(std::filesystem::path file, const std::shared_ptr<const LoadedScene>& now_shown, SceneChange change,
+                  import::Choices choices);
 
     /// To be called often. Looks at the disk every 200 ms, reads what changed on another thread, and returns the scene
     /// once it is read; else null.
@@ -32,6 +33,7 @@ private:
 
     std::filesystem::path file_;
     SceneChange change_;
+    import::Choices choices_;
     std::vector<std::string> watched_;
     FileWatch watch_;
     std::chrono::steady_clock::time_point next_look_;

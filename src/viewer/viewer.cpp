@@ -138,7 +138,7 @@ Viewer::Viewer(const ViewOptions& options, std::shared_ptr<const LoadedScene> sc
       window_(shown_name(options, *scene_) + " - Sundog", first_window_size(options, *scene_),
               options.fullscreen || scene_->scene.settings.fullscreen.value_or(false)),
       imgui_(window_.sdl_window(), window_.sdl_renderer(), kFont_px),
-      reloader_(options.scene_file, scene_, options.change),
+      reloader_(options.scene_file, scene_, options.change, options.choices),
       device_in_use_(device->info().kind),
       devices_(std::async(std::launch::async, device_choices)),
       step_began_s_(seconds_now()),
@@ -246,7 +246,8 @@ void Viewer::submit() {
     const PixelSize size = window_.size_px();
     const float aspect = static_cast<float>(size.width) / static_cast<float>(size.height);
     const float time_s = scene_->scene.settings.freeze_s.value_or(playback_.time_s());
-    ViewRequest request{scene_at(time_s), controls_.device, {}, controls_.exposure, controls_.denoise, controls_.show_rays};
+    ViewRequest request{scene_at(time_s),   controls_.device,  {},
+                        controls_.exposure, controls_.denoise, controls_.show_rays};
     FrameOptions& frame = request.options;
     frame.width = size.width;
     frame.height = size.height;
@@ -352,7 +353,7 @@ void Viewer::draw() {
 
 void run(const ViewOptions& options, const WarningSink& warn) {
     auto device = open_device(options.device, options.threads, options.acceleration);
-    auto scene = load_scene(options.scene_file, options.change);
+    auto scene = load_scene(options.scene_file, options.change, options.choices);
     if (warn) {
         for (const Diagnostic& warning : scene->warnings) warn(warning);
     }

@@ -22,6 +22,7 @@ struct ViewOptions {
     std::optional<int> max_depth;
     std::optional<float> min_weight;
     bool fullscreen = false;
+    import::Choices choices;
     SceneChange change;  ///< Done to the scene whenever it is read.
 };
 

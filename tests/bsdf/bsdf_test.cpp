@@ -40,6 +40,7 @@ BsdfPoint blank() {
     q.eta = 1 / 1.5F;
     q.thin = false;
     q.coat_alpha = 0.01F;
+    q.coat_normal = real3(0, 0, 1);
     q.film_ior = 1.3F;
     q.film_nm = 400;
     return p;

@@ -67,7 +67,9 @@ bool Search::hit_primitive(const Item& item, Found& found) const {
         if (!intersect_triangle(ray_, scene.positions[t.p0], scene.positions[t.p1], scene.positions[t.p2], found.t,
                                 found.u, found.v, normal))
             return false;
-        if (culls && dot(normal, ray_.direction) >= 0) return false;
+        const bool one_sided = question_.one_sided && (question_.kind & kernel::RAY_CAMERA) != 0 &&
+                               (scene.materials[t.material].flags & kernel::MATERIAL_ONE_SIDED) != 0;
+        if ((culls || one_sided) && dot(normal, ray_.direction) >= 0) return false;
     }
     found.normal = to_host(normal);
     return true;

@@ -22,6 +22,7 @@ struct Steps {
 struct Question {
     std::uint32_t kind = kernel::RAY_CAMERA;  ///< RAY_*: some geometries are hidden from some rays.
     bool culls = false;                       ///< Opaque surfaces are not seen from behind.
+    bool one_sided = false;                   ///< The eye doesn't see MATERIAL_ONE_SIDED from behind.
     bool any = false;                         ///< Whether there is a hit, wherever it is, instead of the nearest.
 };
 

@@ -47,6 +47,7 @@ World::World(Acceleration which, const RenderScene& scene) : scene_(scene) {
 
 void World::update(const Frame& frame) {
     culls_ = (frame.params.features & kernel::FEATURE_CULL) != 0;
+    one_sided_ = (frame.params.features & kernel::FEATURE_ONE_SIDED) != 0;
     for (Mover& mover : movers_) mover.placed = frame.instances[mover.instance];
 }
 
@@ -66,7 +67,7 @@ void World::walk(const kernel::Ray& ray, Question question, Nearest& nearest, Sc
 std::optional<Found> World::nearest(const kernel::Ray& ray, std::uint32_t kind, Scratch& scratch, Steps& steps) const {
     Nearest nearest(ray.t_max);
     bool blocked = false;
-    walk(ray, {kind, culls_, false}, nearest, scratch, steps, blocked);
+    walk(ray, {kind, culls_, one_sided_, false}, nearest, scratch, steps, blocked);
     if (!nearest.found()) return std::nullopt;
     return nearest.best();
 }
@@ -74,7 +75,7 @@ std::optional<Found> World::nearest(const kernel::Ray& ray, std::uint32_t kind, 
 bool World::any(const kernel::Ray& ray, std::uint32_t kind, Scratch& scratch, Steps& steps) const {
     Nearest nearest(ray.t_max);
     bool blocked = false;
-    walk(ray, {kind, culls_, true}, nearest, scratch, steps, blocked);
+    walk(ray, {kind, culls_, one_sided_, true}, nearest, scratch, steps, blocked);
     return blocked;
 }
 

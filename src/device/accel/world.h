@@ -52,6 +52,7 @@ private:
     std::optional<Part> resting_;
     std::vector<Mover> movers_;
     bool culls_ = false;
+    bool one_sided_ = false;
 };
 
 }  // namespace sundog::accel

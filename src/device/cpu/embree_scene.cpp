@@ -21,6 +21,14 @@ std::array<float, 12> columns_of(const kernel::Instance& i) {
             i.world_from_object_z.z, i.world_from_object_t.x, i.world_from_object_t.y, i.world_from_object_t.z};
 }
 
+/// True where a triangle isn't there for rays of that kind that come from behind.
+bool culls_triangle(const GeometryData& data, std::uint32_t primitive, std::uint32_t ray_kind) {
+    const kernel::Triangle& triangle = data.scene->triangles[data.geometry.first_primitive + primitive];
+    const std::uint32_t flags = data.scene->materials[triangle.material].flags;
+    return (data.culling && (flags & kernel::MATERIAL_TRANSPARENT) == 0) ||
+           (data.one_sided && (ray_kind & kernel::RAY_CAMERA) != 0 && (flags & kernel::MATERIAL_ONE_SIDED) != 0);
+}
+
 }  // namespace
 
 EmbreeScene::EmbreeScene(RTCDevice device, const RenderScene& scene, ShapeCallbacks shapes)
@@ -74,7 +82,7 @@ embree::Geometry EmbreeScene::make_geometry(GeometryData& data) {
 void EmbreeScene::set_filters(const GeometryData& data) {
     if (data.geometry.kind != kernel::GEOMETRY_TRIANGLES) return;
     const bool filters = data.culling || data.visible_to != kernel::RAY_ALL;
-    rtcSetGeometryIntersectFilterFunction(data.handle, filters ? filter : nullptr);
+    rtcSetGeometryIntersectFilterFunction(data.handle, filters || data.one_sided ? filter : nullptr);
     rtcSetGeometryOccludedFilterFunction(data.handle, filters ? filter : nullptr);
 }
 
@@ -113,10 +121,13 @@ void EmbreeScene::add(std::uint32_t index) {
 void EmbreeScene::update(const Frame& frame) {
     bool changed = false;
     const bool cull_now = (frame.params.features & kernel::FEATURE_CULL) != 0;
-    if (cull_now != culling_) {
+    const bool one_sided_now = (frame.params.features & kernel::FEATURE_ONE_SIDED) != 0;
+    if (cull_now != culling_ || one_sided_now != one_sided_) {
         culling_ = cull_now;
+        one_sided_ = one_sided_now;
         for (const std::unique_ptr<GeometryData>& data : data_) {
             data->culling = cull_now;
+            data->one_sided = one_sided_now;
             if (data->geometry.kind != kernel::GEOMETRY_TRIANGLES) continue;  // shapes of ours cull by themselves
             set_filters(*data);
             rtcCommitGeometry(data->handle);
@@ -149,7 +160,7 @@ void EmbreeScene::filter(const RTCFilterFunctionNArguments* args) {
             args->valid[lane] = 0;
             continue;
         }
-        if (!culls(data, RTCHitN_primID(args->hit, n, lane))) continue;
+        if (!culls_triangle(data, RTCHitN_primID(args->hit, n, lane), RTCRayN_mask(args->ray, n, lane))) continue;
         const float facing = RTCHitN_Ng_x(args->hit, n, lane) * RTCRayN_dir_x(args->ray, n, lane) +
                              RTCHitN_Ng_y(args->hit, n, lane) * RTCRayN_dir_y(args->ray, n, lane) +
                              RTCHitN_Ng_z(args->hit, n, lane) * RTCRayN_dir_z(args->ray, n, lane);

@@ -43,6 +43,7 @@ private:
     std::vector<RTCGeometry> instances_;    ///< Instance geometries in top_, by instance index; null for planes.
     std::vector<kernel::Instance> placed_;  ///< Placements last committed.
     bool culling_ = false;
+    bool one_sided_ = false;
 };
 
 }  // namespace sundog::cpu

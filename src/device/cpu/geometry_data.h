@@ -16,6 +16,7 @@ struct GeometryData {
     std::uint32_t visible_to = kernel::RAY_ALL;    ///< RAY_* bits. Debian's Embree has no ray masks: callbacks ask.
     RTCGeometry handle = nullptr;                  ///< Owned by the scene it is attached to.
     bool culling = false;
+    bool one_sided = false;  ///< The eye doesn't see MATERIAL_ONE_SIDED from behind.
 
     [[nodiscard]] bool opaque(std::uint32_t material) const {
         return (scene->materials[material].flags & kernel::MATERIAL_TRANSPARENT) == 0;

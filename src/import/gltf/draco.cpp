@@ -33,16 +33,17 @@ public:
     [[nodiscard]] std::size_t vertex_count() const { return mesh_.num_points(); }
     [[nodiscard]] bool has(const std::string& name) const { return static_cast<bool>(names_.member(name.c_str())); }
 
+    /// How many numbers a vertex has.
+    [[nodiscard]] std::size_t width(const std::string& name) const { return attribute(name).num_components(); }
+
     /// Calls put(vertex, its `width` numbers) for all vertices.
     template <class T, std::size_t width, class Put>
     void read(const std::string& name, const Put& put) const {
         const Json id = names_.required(name.c_str());
-        const draco::PointAttribute* attribute =
-            mesh_.GetAttributeByUniqueId(static_cast<std::uint32_t>(id.whole(UINT32_MAX)));
-        if (attribute == nullptr) id.fail("the compressed mesh has no such attribute");
+        const draco::PointAttribute& attribute = this->attribute(name);
         for (std::uint32_t i = 0; i < mesh_.num_points(); ++i) {
             std::array<T, width> numbers{};
-            if (!attribute->ConvertValue<T>(attribute->mapped_index(draco::PointIndex(i)), width, numbers.data()))
+            if (!attribute.ConvertValue<T>(attribute.mapped_index(draco::PointIndex(i)), width, numbers.data()))
                 id.fail("the attribute can't be read");
             for (const T number : numbers)
                 if (!std::isfinite(static_cast<float>(number)))
@@ -52,6 +53,14 @@ public:
     }
 
 private:
+    [[nodiscard]] const draco::PointAttribute& attribute(const std::string& name) const {
+        const Json id = names_.required(name.c_str());
+        const draco::PointAttribute* found =
+            mesh_.GetAttributeByUniqueId(static_cast<std::uint32_t>(id.whole(UINT32_MAX)));
+        if (found == nullptr) id.fail("the compressed mesh has no such attribute");
+        return *found;
+    }
+
     const draco::Mesh& mesh_;
     Json names_;
 };
@@ -60,6 +69,26 @@ std::vector<Vec3> read_vectors(const DracoAttributes& attributes, const std::str
     std::vector<Vec3> all(attributes.vertex_count());
     attributes.read<float, 3>(name, [&](std::size_t i, const auto& v) { all[i] = {v[0], v[1], v[2]}; });
     return all;
+}
+
+/// Colours, tangents and second texture coordinates.
+void read_further_attributes(const DracoAttributes& attributes, const UvSets& uv_sets, PrimitiveData& data) {
+    const std::string uvs = "TEXCOORD_" + std::to_string(uv_sets.second.value_or(0));
+    const bool second = uv_sets.second && attributes.has(uvs);
+    if (!second && !attributes.has("COLOR_0") && !attributes.has("TANGENT")) return;
+    prepare_attributes(attributes.vertex_count(), data);
+    std::vector<scene::Mesh::Attributes>& all = data.attributes;
+    if (second)
+        attributes.read<float, 2>(uvs, [&](std::size_t i, const auto& v) {
+            all[i].second_texcoord = {v[0], 1 - v[1]};
+        });
+    if (attributes.has("COLOR_0")) {
+        const auto color = [&](std::size_t i, const auto& v) { set_color(v, all[i]); };
+        if (attributes.width("COLOR_0") < 4) attributes.read<float, 3>("COLOR_0", color);
+        else attributes.read<float, 4>("COLOR_0", color);
+    }
+    if (attributes.has("TANGENT"))
+        attributes.read<float, 4>("TANGENT", [&](std::size_t i, const auto& v) { set_tangent(v, all[i]); });
 }
 
 std::vector<Joints> read_joints(const DracoAttributes& attributes, const std::string& set) {
@@ -73,7 +102,8 @@ std::vector<Joints> read_joints(const DracoAttributes& attributes, const std::st
 
 }  // namespace
 
-PrimitiveData read_draco_primitive(Asset& asset, const Json& primitive, const Json& compression, std::size_t uv_set) {
+PrimitiveData read_draco_primitive(Asset& asset, const Json& primitive, const Json& compression,
+                                   const UvSets& uv_sets) {
     const std::size_t view = compression.required_index("bufferView", asset.list("bufferViews").size(), "bufferViews");
     const std::unique_ptr<draco::Mesh> mesh = decode(compression, asset.view(view));
     const DracoAttributes attributes(*mesh, compression);
@@ -81,10 +111,11 @@ PrimitiveData read_draco_primitive(Asset& asset, const Json& primitive, const Js
     PrimitiveData data;
     data.positions = read_vectors(attributes, "POSITION");
     if (attributes.has("NORMAL")) data.normals = read_vectors(attributes, "NORMAL");
-    if (const std::string uvs = "TEXCOORD_" + std::to_string(uv_set); attributes.has(uvs)) {
+    if (const std::string uvs = "TEXCOORD_" + std::to_string(uv_sets.first); attributes.has(uvs)) {
         data.texcoords.resize(attributes.vertex_count());
         attributes.read<float, 2>(uvs, [&](std::size_t i, const auto& v) { data.texcoords[i] = {v[0], 1 - v[1]}; });
     }
+    read_further_attributes(attributes, uv_sets, data);
     data.joints = read_joints(attributes, "0");
     data.more_joints = read_joints(attributes, "1");
     data.targets = read_targets(asset, primitive.member("targets"), data.positions.size(), !data.normals.empty());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "base/diagnostics.h"
 #include "scene/scene.h"
@@ -10,8 +11,8 @@
 namespace sundog::import::gltf {
 
 /// Reads a .gltf or .glb file with what it names: its default scene's meshes, materials, lights, animations and first
-/// camera, Z up. Errors: InputError for what can't be understood, or requires an extension that isn't read; what can
-/// be drawn all the same is a warning.
-scene::Scene import_gltf(const std::filesystem::path& file, const WarningSink& warn);
+/// camera, Z up, with the materials of a variant (KHR_materials_variants) if one is named. Errors: InputError for what
+/// can't be understood, or requires an extension that isn't read; what can be drawn all the same is a warning.
+scene::Scene import_gltf(const std::filesystem::path& file, const WarningSink& warn, std::string_view variant = {});
 
 }  // namespace sundog::import::gltf

@@ -7,6 +7,28 @@ namespace sundog::import::gltf {
 
 using scene::PrincipledSurface;
 
+namespace {
+
+/// The texture coordinates that the maps go by; from then on these are the first or the second ones. Most files have
+/// one set, few two, and none more.
+UvSets take_uv_sets(Asset& asset, const Json& material, PrincipledSurface& surface) {
+    UvSets sets;
+    bool any = false;
+    for (scene::TextureUse* use : scene::maps_of(surface)) {
+        if (use->texture == scene::kNone) continue;
+        if (!any) sets.first = use->uv_set, any = true;
+        const bool second = use->uv_set != sets.first;
+        if (second && !sets.second) sets.second = use->uv_set;
+        if (second && use->uv_set != *sets.second)
+            asset.warn_once("three uv sets", material, "the maps go by three sets of texture coordinates; two are used",
+                            "TEXCOORD_" + std::to_string(*sets.second) + " stands in for the others");
+        use->uv_set = second ? 1 : 0;
+    }
+    return sets;
+}
+
+}  // namespace
+
 scene::PrincipledSurface read_surface(const Json& material, TextureReader& textures) {
     PrincipledSurface surface;
     if (const Json pbr = material.member("pbrMetallicRoughness")) {
@@ -39,8 +61,9 @@ scene::PrincipledSurface read_surface(const Json& material, TextureReader& textu
     return surface;
 }
 
-void read_materials(Asset& asset) {
+std::vector<UvSets> read_materials(Asset& asset) {
     TextureReader textures(asset);
+    std::vector<UvSets> uv_sets;
     const Json list = asset.list("materials");
     const std::vector<SourceLocation> places = list.element_locations();
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -50,9 +73,11 @@ void read_materials(Asset& asset) {
         material.where = places[i];
         scene::PrincipledSurface surface = read_surface(json, textures);
         read_extensions(json, textures, surface);
+        uv_sets.push_back(take_uv_sets(asset, json, surface));
         material.principled = std::move(surface);
         asset.scene().materials.push_back(std::move(material));
     }
+    return uv_sets;
 }
 
 }  // namespace sundog::import::gltf

@@ -4,30 +4,13 @@
 #include <algorithm>
 #include <string>
 
+#include "import/gltf/materials.h"
+
 namespace sundog::import::gltf {
 namespace {
 
 constexpr std::size_t kTriangles = 4;
 constexpr std::size_t kTriangleFan = 6;
-
-/// Which texture coordinates a material's maps are looked up by: those of its first map. A mesh has one set.
-std::size_t uv_set_of(Asset& asset, const Json& primitive, const scene::Material& material) {
-    const scene::PrincipledSurface& s = *material.principled;
-    const scene::TextureUse* first = nullptr;
-    bool mixed = false;
-    for (const scene::TextureUse* use :
-         {&s.base_color_map, &s.normal_map, &s.emission_map, &s.metallic_roughness_map, &s.transmission_map}) {
-        if (use->texture == scene::kNone) continue;
-        if (first == nullptr) first = use;
-        mixed = mixed || use->uv_set != first->uv_set;
-    }
-    if (mixed)
-        asset.warn_once(
-            "uv " + material.name, primitive,
-            "the maps of material '" + material.name + "' go by two sets of texture coordinates; all go by one",
-            "TEXCOORD_" + std::to_string(first->uv_set) + " is used");
-    return first != nullptr ? first->uv_set : 0;
-}
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from, std::size_t vertices_before, std::size_t vertices) {
@@ -55,7 +38,13 @@ void append_primitive(const PrimitiveData& p, scene::Index material, MeshData& o
     }
     mesh.positions.insert(mesh.positions.end(), p.positions.begin(), p.positions.end());
     mesh.normals.insert(mesh.normals.end(), p.normals.begin(), p.normals.end());
+    const std::size_t attributes_before = mesh.attributes.size();
+    append(mesh.attributes, p.attributes, texcoords_first, p.texcoords.size());
     mesh.texcoords.insert(mesh.texcoords.end(), p.texcoords.begin(), p.texcoords.end());
+    // Primitives without attributes, before this one and this one itself, have one set of texture coordinates for both.
+    const std::size_t own = p.attributes.empty() ? mesh.attributes.size() : texcoords_first;
+    for (std::size_t i = attributes_before; i < own && i < mesh.attributes.size(); ++i)
+        mesh.attributes[i].second_texcoord = mesh.texcoords[i];
     for (std::size_t i = 0; i + 2 < p.corners.size(); i += 3) {
         scene::Mesh::Triangle triangle{};
         for (std::size_t k = 0; k < 3; ++k) {
@@ -80,7 +69,9 @@ const MeshData& MeshReader::read(std::size_t index) {
 }
 
 scene::Index MeshReader::material_of(const Json& primitive) {
-    const auto index = primitive.index_or_none("material", asset_.list("materials").size(), "materials");
+    const std::size_t count = asset_.list("materials").size();
+    auto index = primitive.index_or_none("material", count, "materials");
+    if (const auto other = variant_ ? material_of_variant(primitive, *variant_, count) : std::nullopt) index = other;
     if (index) return static_cast<scene::Index>(*index);
     if (default_material_ == scene::kNone) {
         default_material_ = static_cast<scene::Index>(asset_.scene().materials.size());
@@ -112,10 +103,10 @@ MeshData MeshReader::read_mesh(const Json& json) {
             continue;
         }
         const scene::Index material = material_of(primitive);
-        const std::size_t uv_set = uv_set_of(asset_, primitive, asset_.scene().materials[material]);
+        const UvSets uv_sets = material < uv_sets_.size() ? uv_sets_[material] : UvSets{};
         const Json compression = primitive.extension("KHR_draco_mesh_compression");
-        const PrimitiveData p = compression ? read_draco_primitive(asset_, primitive, compression, uv_set)
-                                            : read_primitive(asset_, primitive, uv_set);
+        const PrimitiveData p = compression ? read_draco_primitive(asset_, primitive, compression, uv_sets)
+                                            : read_primitive(asset_, primitive, uv_sets);
         if (data.mesh.positions.size() + p.positions.size() >= scene::kNone)
             json.fail("the mesh has more vertices than 32-bit indices can count");
         asset_.take_memory(p.corners.size() / 3 * sizeof(scene::Mesh::Triangle), primitive);

@@ -14,6 +14,10 @@ scene::Mesh placed(const scene::Mesh& mesh, const Affine3& world_from_mesh) {
     for (Vec3& p : out.positions) p = transform_point(world_from_mesh, p);
     const Affine3& m = world_from_mesh;
     const float sign = determinant(m) < 0 ? -1.0F : 1.0F;
+    for (scene::Mesh::Attributes& a : out.attributes) {
+        a.tangent = normalize(transform_vector(m, a.tangent));
+        a.handedness *= sign;
+    }
     for (Vec3& n : out.normals)
         n = normalize((cross(m.y, m.z) * n.x + cross(m.z, m.x) * n.y + cross(m.x, m.y) * n.z) * sign);
     if (sign < 0)
@@ -27,7 +31,8 @@ scene::Mesh placed(const scene::Mesh& mesh, const Affine3& world_from_mesh) {
 
 std::size_t bytes_of(const scene::Mesh& mesh) {
     return mesh.positions.size() * sizeof(Vec3) + mesh.normals.size() * sizeof(Vec3) +
-           mesh.texcoords.size() * sizeof(Vec2) + mesh.triangles.size() * sizeof(scene::Mesh::Triangle);
+           mesh.texcoords.size() * sizeof(Vec2) + mesh.attributes.size() * sizeof(scene::Mesh::Attributes) +
+           mesh.triangles.size() * sizeof(scene::Mesh::Triangle);
 }
 
 std::string name_of(const Json& node, const Json& mesh, std::size_t index) {
@@ -40,10 +45,14 @@ void refuse_far_places(const scene::Mesh& mesh, const Json& node) {
         if (!is_finite(p)) node.fail("a mesh is placed beyond single precision");
 }
 
+/// Tangents of a mesh that bends would bend with it: its texture coordinates say where they are then.
+void forget_tangents(scene::Mesh& mesh) {
+    for (scene::Mesh::Attributes& a : mesh.attributes) a.tangent = {0, 0, 0};
+}
+
 }  // namespace
 
-void read_objects(Asset& asset, const NodeGraph& graph, const WeightTracks& weights) {
-    MeshReader meshes(asset);
+void read_objects(Asset& asset, const NodeGraph& graph, const WeightTracks& weights, MeshReader& meshes) {
     const std::vector<SourceLocation> places = asset.list("nodes").element_locations();
     for (scene::Index node = 0; node < graph.shown_count; ++node) {
         const Json json = graph.json(asset, node);
@@ -74,6 +83,8 @@ void read_objects(Asset& asset, const NodeGraph& graph, const WeightTracks& weig
             asset.scene().objects.push_back(std::move(object));
         }
     }
+    for (scene::Object& object : asset.scene().objects)
+        if (object.deformation) forget_tangents(*std::get<Boxed<scene::Mesh>>(object.shape));
     scene::deform(asset.scene(), 0);
     for (const scene::Object& object : asset.scene().objects)
         if (object.deformation) refuse_far_places(*std::get<Boxed<scene::Mesh>>(object.shape), asset.list("nodes"));

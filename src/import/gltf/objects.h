@@ -10,7 +10,7 @@ namespace sundog::import::gltf {
 
 /// Appends an object for each node with a mesh (and each of its instances): in world space where it rests, else in the
 /// space of its node.
-void read_objects(Asset& asset, const NodeGraph& graph, const WeightTracks& weights);
+void read_objects(Asset& asset, const NodeGraph& graph, const WeightTracks& weights, MeshReader& meshes);
 
 /// What of a skin (and of morph targets) a mesh is bent by; null for a rigid mesh. `node` has the mesh.
 std::shared_ptr<const scene::Deformation> read_deformation(Asset& asset, const NodeGraph& graph, scene::Index node,

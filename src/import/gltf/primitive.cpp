@@ -30,6 +30,37 @@ Numbers read_attribute(Asset& asset, const Json& attribute, const AccessorKind& 
     return read_numbers(asset, attribute, kind);
 }
 
+std::vector<Vec2> read_texcoords(Asset& asset, const Json& attributes, std::size_t set, std::size_t vertices) {
+    std::vector<Vec2> all;
+    const Json uvs = attributes.member(("TEXCOORD_" + std::to_string(set)).c_str());
+    if (!uvs) return all;
+    const Numbers numbers = read_attribute(asset, uvs, {{"VEC2"}, true}, vertices);
+    all.reserve(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) all.push_back({numbers[i][0], 1 - numbers[i][1]});
+    return all;
+}
+
+/// Colours, tangents and second texture coordinates.
+void read_further_attributes(Asset& asset, const Json& attributes, const UvSets& uv_sets, PrimitiveData& data) {
+    const std::size_t vertices = data.positions.size();
+    const auto all = [&]() -> std::vector<scene::Mesh::Attributes>& {
+        prepare_attributes(vertices, data);
+        return data.attributes;
+    };
+    if (uv_sets.second) {
+        const std::vector<Vec2> second = read_texcoords(asset, attributes, *uv_sets.second, vertices);
+        for (std::size_t i = 0; i < second.size(); ++i) all()[i].second_texcoord = second[i];
+    }
+    if (const Json colors = attributes.member("COLOR_0")) {
+        const Numbers numbers = read_attribute(asset, colors, {{"VEC3", "VEC4"}, false}, vertices);
+        for (std::size_t i = 0; i < vertices; ++i) set_color(numbers[i], all()[i]);
+    }
+    if (const Json tangents = attributes.member("TANGENT")) {
+        const Numbers numbers = read_attribute(asset, tangents, {{"VEC4"}, true}, vertices);
+        for (std::size_t i = 0; i < vertices; ++i) set_tangent(numbers[i], all()[i]);
+    }
+}
+
 std::vector<Joints> read_joints(Asset& asset, const Json& joints, const Json& weights, std::size_t vertices) {
     std::vector<Joints> all;
     if (!joints || !weights) return all;
@@ -83,6 +114,24 @@ std::vector<std::uint32_t> triangles_of(Asset& asset, const Json& primitive, std
 
 }  // namespace
 
+void prepare_attributes(std::size_t vertices, PrimitiveData& data) {
+    data.texcoords.resize(vertices);
+    if (!data.attributes.empty()) return;
+    data.attributes.resize(vertices);
+    // Where a second set is named but isn't there, maps go by the first.
+    for (std::size_t i = 0; i < vertices; ++i) data.attributes[i].second_texcoord = data.texcoords[i];
+}
+
+void set_color(std::span<const float> numbers, scene::Mesh::Attributes& out) {
+    out.color = max(Vec3{numbers[0], numbers[1], numbers[2]}, {0, 0, 0});
+    out.alpha = numbers.size() > 3 ? std::clamp(numbers[3], 0.0F, 1.0F) : 1;
+}
+
+void set_tangent(std::span<const float> numbers, scene::Mesh::Attributes& out) {
+    out.tangent = {numbers[0], numbers[1], numbers[2]};
+    out.handedness = numbers[3] < 0 ? -1.0F : 1.0F;
+}
+
 std::vector<MorphTarget> read_targets(Asset& asset, const Json& targets, std::size_t vertices, bool normals) {
     std::vector<MorphTarget> all(targets.size());
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -94,7 +143,7 @@ std::vector<MorphTarget> read_targets(Asset& asset, const Json& targets, std::si
     return all;
 }
 
-PrimitiveData read_primitive(Asset& asset, const Json& primitive, std::size_t uv_set) {
+PrimitiveData read_primitive(Asset& asset, const Json& primitive, const UvSets& uv_sets) {
     PrimitiveData data;
     const Json attributes = primitive.required("attributes");
     const Json positions = attributes.member("POSITION");
@@ -107,16 +156,12 @@ PrimitiveData read_primitive(Asset& asset, const Json& primitive, std::size_t uv
     const std::size_t vertices = data.positions.size();
     if (const Json normals = attributes.member("NORMAL"))
         data.normals = vectors_of(read_attribute(asset, normals, {{"VEC3"}, true}, vertices));
-    if (const Json uvs = attributes.member(("TEXCOORD_" + std::to_string(uv_set)).c_str())) {
-        const Numbers numbers = read_attribute(asset, uvs, {{"VEC2"}, true}, vertices);
-        for (std::size_t i = 0; i < vertices; ++i) data.texcoords.push_back({numbers[i][0], 1 - numbers[i][1]});
-    }
+    data.texcoords = read_texcoords(asset, attributes, uv_sets.first, vertices);
+    read_further_attributes(asset, attributes, uv_sets, data);
     data.joints = read_joints(asset, attributes.member("JOINTS_0"), attributes.member("WEIGHTS_0"), vertices);
     data.more_joints = read_joints(asset, attributes.member("JOINTS_1"), attributes.member("WEIGHTS_1"), vertices);
     data.targets = read_targets(asset, primitive.member("targets"), vertices, !data.normals.empty());
     data.corners = triangles_of(asset, primitive, read_indices(asset, primitive, vertices));
-    if (attributes.member("COLOR_0"))
-        asset.warn_once("COLOR_0", attributes.member("COLOR_0"), "colours of vertices are not used");
     return data;
 }
 

@@ -30,6 +30,7 @@ struct Principled {
     real eta;   ///< Index of refraction on the eye's side over that on the other.
     mask thin;  ///< What passes goes straight on.
     real coat, coat_alpha;
+    real3 coat_normal;  ///< Unit; z where the coat lies as its base does.
     real3 sheen;
     real sheen_roughness;
     real film, film_ior, film_nm;  ///< Share, index of refraction and thickness of a thin film.
@@ -55,6 +56,13 @@ FN real coat_reflectance(real coat, real cosine_there) {
     return coat * (0.04f + 0.96f * m2 * m2 * m);
 }
 
+/// A direction as the coat has it, whose normal may be another.
+FN real3 seen_by_coat(Principled p, real3 v) {
+    mask bent = mask_and(p.coat > real(0.0f), p.coat_normal.z < real(0.999999f));
+    if (!any_lane(bent)) return v;
+    return select(bent, to_local(frame_around(p.coat_normal), v), v);
+}
+
 /// Of what bounces between facets, which share comes out: Kulla and Conty's factor, with the mean of Schlick's
 /// reflectance.
 FN real3 bounced_share(Principled p, real mean_albedo) {
@@ -73,7 +81,7 @@ struct PrincipledShares {
 
 FN PrincipledShares principled_shares(SCENE Principled p, real3 to_eye) {
     real2 albedo = ggx_albedo(SCENE_ to_eye.z, p.roughness);
-    real coat = coat_reflectance(p.coat, to_eye.z);
+    real coat = coat_reflectance(p.coat, abs(seen_by_coat(p, to_eye).z));
     real3 facets = p.f0 * albedo.x + real3(p.f90 * albedo.y);
     real reflected = min(largest(facets), real(1.0f));
     real base = largest(p.base) * (1.0f - p.metallic) * (1.0f - reflected);
@@ -104,7 +112,10 @@ FN void principled_value(SCENE Principled p, real3 to_eye, real3 to_light, OUT(r
     mask above = to_light.z > real(0.0f);
     real cos_light = abs(to_light.z);
     // Through the coat and back.
-    real passes = (1.0f - coat_reflectance(p.coat, to_eye.z)) * (1.0f - coat_reflectance(p.coat, cos_light));
+    real3 coat_eye = seen_by_coat(p, to_eye);
+    real3 coat_light = seen_by_coat(p, to_light);
+    real passes =
+        (1.0f - coat_reflectance(p.coat, abs(coat_eye.z))) * (1.0f - coat_reflectance(p.coat, abs(coat_light.z)));
 
     real3 h = to_eye + to_light;
     h = h * (1.0f / sqrt(max(dot(h, h), real(1e-20f))));
@@ -149,9 +160,13 @@ FN void principled_value(SCENE Principled p, real3 to_eye, real3 to_light, OUT(r
     }
     value = value * passes;
     if (any_lane(p.coat > real(0.0f))) {
-        real coat = coat_reflectance(p.coat, eye_half) * ggx_value(to_eye, to_light, h, p.coat_alpha, p.coat_alpha);
-        value = value + real3(coat * cos_light);
-        density = density + shares.coat * ggx_density(to_eye, h, p.coat_alpha, p.coat_alpha);
+        real3 coat_h = seen_by_coat(p, h);
+        real coat =
+            coat_reflectance(p.coat, eye_half) * ggx_value(coat_eye, coat_light, coat_h, p.coat_alpha, p.coat_alpha);
+        mask seen = mask_and(coat_eye.z > real(0.0f), coat_light.z > real(0.0f));
+        value = value + real3(select(seen, coat * coat_light.z, real(0.0f)));
+        real coat_density = ggx_density(coat_eye, coat_h, p.coat_alpha, p.coat_alpha);
+        density = density + select(seen, shares.coat * coat_density, real(0.0f));
     }
     value = select(above, value, black);
     density = select(above, density, real(0.0f));
@@ -184,7 +199,11 @@ FN real3 principled_direction(SCENE Principled p, real3 to_eye, real2 u, real ch
     mask coat = mask_and(mask_not(matt), choice >= shares.matt + shares.facet);
     real alpha_x = select(coat, p.coat_alpha, p.alpha_x);
     real alpha_y = select(coat, p.coat_alpha, p.alpha_y);
-    real3 h = ggx_normal(to_eye, alpha_x, alpha_y, u);
+    mask bent = mask_and(coat, p.coat_normal.z < real(0.999999f));
+    real3 from = to_eye;
+    if (any_lane(bent)) from = select(bent, seen_by_coat(p, to_eye), from);
+    real3 h = ggx_normal(from, alpha_x, alpha_y, u);
+    if (any_lane(bent)) h = select(bent, to_world(frame_around(p.coat_normal), h), h);
     real eye_half = dot(to_eye, h);
     real3 mirrored = h * (2.0f * eye_half) - to_eye;
     real3 nowhere = real3(real(0.0f));

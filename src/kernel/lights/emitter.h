@@ -81,9 +81,14 @@ FN EmitterSample sample_triangle(SCENE EmitterChoice choice, real3 point, real2 
     drawn.to_light = to_place * (1.0f / drawn.distance);
     real cosine_there = abs(dot(normal, drawn.to_light)) / max(double_area, real(1e-30f));
     drawn.density = choice.probability * 2.0f * distance2 / max(double_area * cosine_there, real(1e-30f));
-    real2 uv = real2(real(0.0f), real(0.0f));
-    if (FEATURE(FEATURE_TEXTURES)) uv = triangle_uv(SCENE_ triangle, b1, b2);
-    drawn.radiance = emission_at(SCENE_ FIELD(triangles, triangle, material), uv);
+    Surface there;
+    there.geometry = geometry;
+    there.primitive = triangle;
+    there.material = FIELD(triangles, triangle, material);
+    there.weights = real2(b1, b2);
+    there.uv = real2(real(0.0f), real(0.0f));
+    if (FEATURE(FEATURE_TEXTURES)) there.uv = triangle_uv(SCENE_ triangle, b1, b2);
+    drawn.radiance = emission_at(SCENE_ there);
     drawn.radiance = select(cosine_there > real(1e-6f), drawn.radiance, real3(real(0.0f)));
     return drawn;
 }
@@ -120,12 +125,17 @@ FN EmitterSample sample_sphere(SCENE EmitterChoice choice, real3 point, real2 u,
     // Short of it by what rounding does to a grazing ray.
     drawn.distance = max(drawn.distance - radius * 1e-3f, real(0.0f));
     drawn.density = choice.probability / (6.28318531f * view);
-    real2 uv = real2(real(0.0f), real(0.0f));
+    Surface there;
+    there.geometry = geometry;
+    there.primitive = sphere;
+    there.material = FIELD(spheres, sphere, material);
+    there.weights = real2(real(0.0f), real(0.0f));
+    there.uv = there.weights;
     if (FEATURE(FEATURE_TEXTURES)) {
-        real3 there = point + drawn.to_light * drawn.distance - center;
-        uv = sphere_uv(there * (1.0f / max(length(there), real(1e-30f))));
+        real3 from_center = point + drawn.to_light * drawn.distance - center;
+        there.uv = sphere_uv(from_center * (1.0f / max(length(from_center), real(1e-30f))));
     }
-    drawn.radiance = emission_at(SCENE_ FIELD(spheres, sphere, material), uv);
+    drawn.radiance = emission_at(SCENE_ there);
     return drawn;
 }
 

@@ -10,7 +10,7 @@
 KERNEL_BEGIN
 
 /// One of a model's maps (BSDF_MAP_*) as linear RGB and alpha; 1 in lanes that have none.
-FN_LARGE real3 bsdf_map(SCENE word maps, mask mapped, uint which, real2 uv, OUT(real) alpha) {
+FN_LARGE real3 bsdf_map(SCENE LARGE(Surface) s, word maps, mask mapped, uint which, OUT(real) alpha) {
     real3 white = real3(real(1.0f));
     alpha = real(1.0f);
     word there = valid_index(mapped, maps);
@@ -18,6 +18,7 @@ FN_LARGE real3 bsdf_map(SCENE word maps, mask mapped, uint which, real2 uv, OUT(
     mask used = mask_and(mapped, texture != word(NONE));
     if (!any_lane(used)) return white;
     word flags = FIELD(bsdf_maps, there, map[which].flags);
+    real2 uv = map_uv(SCENE_ s, flags);
     real2 place = uv * FIELD(bsdf_maps, there, map[which].scale) + FIELD(bsdf_maps, there, map[which].offset);
     if (any_lane((flags & word(TEXTURE_TURNED)) != word(0u)))
         place = turned_uv(flags, place, uv, FIELD(bsdf_maps, there, map[which].shear));
@@ -30,20 +31,39 @@ FN_LARGE real3 bsdf_map(SCENE word maps, mask mapped, uint which, real2 uv, OUT(
 /// How opaque a model's surface is: what it isn't lets light pass straight through.
 FN real bsdf_opacity(SCENE Surface s, word model, mask here) {
     real opacity = FIELD(bsdfs, model, opacity);
+    if (!FEATURE(FEATURE_TEXTURES)) return opacity;
     word maps = FIELD(bsdfs, model, maps);
     mask mapped = mask_and(here, maps != word(NONE));
-    if (!FEATURE(FEATURE_TEXTURES) || !any_lane(mapped)) return opacity;
     word there = valid_index(mapped, maps);
-    mask used = mask_and(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].texture) != word(NONE));
-    if (!any_lane(used)) return opacity;
-    real alpha;
-    real3 color = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_OPACITY, s.uv, alpha);
-    word flags = FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].flags);
-    real share = texture_channel(color, alpha, flags);
+    mask used = mapped;
+    if (any_lane(mapped)) used = mask_and(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].texture) != word(NONE));
+    mask fades = mask_and(here, mask_not(here));
+    real share = real(1.0f);
+    if (FEATURE(FEATURE_VERTEX_ATTRIBUTES)) {
+        fades = (FIELD(materials, s.material, flags) & word(MATERIAL_VERTEX_ALPHA)) != word(0u);
+        fades = mask_and(here, fades);
+        if (any_lane(fades)) {
+            word triangle;
+            mask is_triangle = on_triangle(SCENE_ s, triangle);
+            real vertex_alpha;
+            vertex_color(SCENE_ triangle, is_triangle, s.weights, vertex_alpha);
+            share = select(fades, vertex_alpha, share);
+        }
+    }
+    if (!any_lane(mask_or(used, fades))) return opacity;
+    word flags = word(0u);
+    if (any_lane(mapped)) flags = select(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].flags), flags);
+    if (any_lane(used)) {
+        real alpha;
+        real3 color = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_OPACITY, alpha);
+        share = select(used, share * texture_channel(color, alpha, flags), share);
+    }
     mask cut_off = (flags & word(TEXTURE_CUTOFF)) != word(0u);
-    mask kept = share >= FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].strength);
-    share = select(cut_off, select(kept, real(1.0f), real(0.0f)), share);
-    return select(used, opacity * share, opacity);
+    if (any_lane(cut_off)) {
+        mask kept = share >= FIELD(bsdf_maps, there, map[BSDF_MAP_OPACITY].strength);
+        share = select(cut_off, select(kept, real(1.0f), real(0.0f)), share);
+    }
+    return select(mask_or(used, fades), opacity * share, opacity);
 }
 
 /// Facets so smooth that they count as mirrors would have densities beyond single precision.
@@ -54,6 +74,28 @@ FN real bsdf_ior(SCENE word model, real spectrum) {
     real ior = FIELD(bsdfs, model, ior);
     if (!FEATURE(FEATURE_DISPERSION)) return ior;
     return ior + (ior - 1.0f) * FIELD(bsdfs, model, dispersion) * (0.5f - spectrum) * 0.05f;
+}
+
+/// The normal of clear coat, which doesn't follow its base's bumps: it has a map of its own, or is smooth
+/// (KHR_materials_clearcoat).
+FN real3 coat_normal(SCENE Surface s, word maps, mask mapped, mask here) {
+    word triangle;
+    mask is_triangle = on_triangle(SCENE_ s, triangle);
+    real3 n = s.geometric_normal;
+    if (FEATURE(FEATURE_SMOOTH)) n = smooth_normal(SCENE_ s, is_triangle);
+    mapped = mask_and(mapped, here);
+    if (!any_lane(mapped)) return lifted_normal(s, n);
+    word there = valid_index(mapped, maps);
+    mapped = mask_and(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_COAT_NORMAL].texture) != word(NONE));
+    if (!any_lane(mapped)) return lifted_normal(s, n);
+    word flags = FIELD(bsdf_maps, there, map[BSDF_MAP_COAT_NORMAL].flags);
+    real3 tangent;
+    real3 bitangent;
+    mask usable = mask_and(mapped, map_tangents(SCENE_ s, n, flags, tangent, bitangent));
+    real alpha;
+    real3 stored = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_COAT_NORMAL, alpha);
+    real strength = FIELD(bsdf_maps, there, map[BSDF_MAP_COAT_NORMAL].strength);
+    return lifted_normal(s, select(usable, map_normal(s, n, tangent, bitangent, stored, flags, strength), n));
 }
 
 /// Lanes of kind BSDF_PRINCIPLED.
@@ -80,27 +122,27 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
     real anisotropy = FIELD(bsdfs, model, anisotropy);
     real rotation = FIELD(bsdfs, model, anisotropy_rotation);
     if (looks) {
-        real3 rough_metal = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_METALLIC_ROUGHNESS, s.uv, alpha);
+        real3 rough_metal = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_METALLIC_ROUGHNESS, alpha);
         p.roughness = p.roughness * rough_metal.y;
         p.metallic = p.metallic * rough_metal.z;
-        bsdf_map(SCENE_ maps, mapped, BSDF_MAP_SPECULAR, s.uv, alpha);
+        bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_SPECULAR, alpha);
         specular = specular * alpha;
-        specular_color = specular_color * bsdf_map(SCENE_ maps, mapped, BSDF_MAP_SPECULAR_COLOR, s.uv, alpha);
-        real3 passes = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_TRANSMISSION, s.uv, alpha);
+        specular_color = specular_color * bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_SPECULAR_COLOR, alpha);
+        real3 passes = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_TRANSMISSION, alpha);
         p.transmission = p.transmission * passes.x;
-        real3 coat = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_COAT, s.uv, alpha);
+        real3 coat = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_COAT, alpha);
         p.coat = p.coat * coat.x;
-        coat = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_COAT_ROUGHNESS, s.uv, alpha);
+        coat = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_COAT_ROUGHNESS, alpha);
         coat_roughness = coat_roughness * coat.y;
-        p.sheen = p.sheen * bsdf_map(SCENE_ maps, mapped, BSDF_MAP_SHEEN_COLOR, s.uv, alpha);
-        bsdf_map(SCENE_ maps, mapped, BSDF_MAP_SHEEN_ROUGHNESS, s.uv, alpha);
+        p.sheen = p.sheen * bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_SHEEN_COLOR, alpha);
+        bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_SHEEN_ROUGHNESS, alpha);
         p.sheen_roughness = p.sheen_roughness * alpha;
-        real3 film = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_FILM, s.uv, alpha);
+        real3 film = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_FILM, alpha);
         p.film = p.film * film.x;
-        film = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_FILM_THICKNESS, s.uv, alpha);
+        film = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_FILM_THICKNESS, alpha);
         film_place = film.y;
         if (any_lane(anisotropy > real(0.0f))) {
-            real3 stretch = bsdf_map(SCENE_ maps, mapped, BSDF_MAP_ANISOTROPY, s.uv, alpha);
+            real3 stretch = bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_ANISOTROPY, alpha);
             word texture = FIELD(bsdf_maps, valid_index(mapped, maps), map[BSDF_MAP_ANISOTROPY].texture);
             mask turned = mask_and(mapped, texture != word(NONE));
             rotation =
@@ -125,13 +167,29 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
     if (FEATURE(FEATURE_TEXTURES) && any_lane(stretched)) {
         real3 along_u;
         real3 along_v;
-        mask usable = mask_and(stretched, triangle_tangents(SCENE_ s, along_u, along_v));
+        word flags = word(0u);
+        if (any_lane(mapped)) {
+            word there = valid_index(mapped, maps);
+            flags = select(mapped, FIELD(bsdf_maps, there, map[BSDF_MAP_ANISOTROPY].flags), flags);
+        }
+        mask usable = mask_and(stretched, map_tangents(SCENE_ s, basis.z, flags, along_u, along_v));
         real3 tangent = along_u * cosine(rotation) + along_v * sine(rotation);
         tangent = tangent - basis.z * dot(basis.z, tangent);
         usable = mask_and(usable, dot(tangent, tangent) > real(1e-20f));
         tangent = normalize(select(usable, tangent, basis.x));
         basis.x = select(usable, tangent, basis.x);
         basis.y = select(usable, cross(basis.z, tangent), basis.y);
+    }
+    p.coat_normal = real3(real(0.0f), real(0.0f), real(1.0f));
+    mask coated = mask_and(here, p.coat > real(0.0f));
+    if (FEATURE(FEATURE_BUMP) && any_lane(coated)) {
+        // Where neither has a map, both have the same normal.
+        word of_base = FIELD(material_maps, FIELD(materials, s.material, maps), normal.texture);
+        word of_coat = FIELD(bsdf_maps, valid_index(mapped, maps), map[BSDF_MAP_COAT_NORMAL].texture);
+        mask bent = mask_or(of_base != word(NONE), mask_and(mapped, of_coat != word(NONE)));
+        coated = mask_and(coated, bent);
+        real3 n = coat_normal(SCENE_ s, maps, mapped, coated);
+        p.coat_normal = select(coated, to_local(basis, n), p.coat_normal);
     }
     return p;
 }
@@ -146,7 +204,13 @@ FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(Shad
     mask mapped = mask_and(here, maps != word(NONE));
     if (FEATURE(FEATURE_TEXTURES) && any_lane(mapped)) {
         real alpha;
-        p.color = p.color * bsdf_map(SCENE_ maps, mapped, BSDF_MAP_COLOR, s.uv, alpha);
+        p.color = p.color * bsdf_map(SCENE_ s, maps, mapped, BSDF_MAP_COLOR, alpha);
+    }
+    if (FEATURE(FEATURE_VERTEX_ATTRIBUTES)) {
+        word triangle;
+        mask is_triangle = on_triangle(SCENE_ s, triangle);
+        real unused;
+        p.color = p.color * vertex_color(SCENE_ triangle, mask_and(is_triangle, here), s.weights, unused);
     }
     p.alpha_x = FIELD(bsdfs, model, alpha_x);
     p.alpha_y = FIELD(bsdfs, model, alpha_y);

@@ -27,15 +27,27 @@ struct Lobes {
                      ///< through.
 };
 
-/// What a material emits, at a place of its texture.
-FN real3 emission_at(SCENE word material, real2 uv) {
-    real3 emission = FIELD(materials, material, emission);
+/// What a surface emits; of it, material, geometry, primitive, uv and weights count.
+FN real3 emission_at(SCENE Surface s) {
+    real3 emission = FIELD(materials, s.material, emission);
     if (!FEATURE(FEATURE_TEXTURES)) return emission;
+    word material = s.material;
+    if (FEATURE(FEATURE_VERTEX_ATTRIBUTES)) {
+        mask colored = (FIELD(materials, material, flags) & word(MATERIAL_VERTEX_EMISSION)) != word(0u);
+        if (any_lane(colored)) {
+            word triangle;
+            mask is_triangle = on_triangle(SCENE_ s, triangle);
+            real alpha_there;
+            real3 tint = vertex_color(SCENE_ triangle, is_triangle, s.weights, alpha_there);
+            emission = select(colored, emission * tint, emission);
+        }
+    }
     word maps = FIELD(materials, material, maps);
     word texture = FIELD(material_maps, maps, emission.texture);
     mask used = texture != word(NONE);
     if (!any_lane(used)) return emission;
     word ref_flags = FIELD(material_maps, maps, emission.flags);
+    real2 uv = map_uv(SCENE_ s, ref_flags);
     real2 place = uv * FIELD(material_maps, maps, emission.scale) + FIELD(material_maps, maps, emission.offset);
     if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
         place = turned_uv(ref_flags, place, uv, FIELD(material_maps, maps, emission.shear));
@@ -59,9 +71,10 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     mask used = texture != word(NONE);
     if (any_lane(used)) {
         word ref_flags = FIELD(material_maps, maps, diffuse.flags);
-        real2 uv = s.uv * FIELD(material_maps, maps, diffuse.scale) + FIELD(material_maps, maps, diffuse.offset);
+        real2 base = map_uv(SCENE_ s, ref_flags);
+        real2 uv = base * FIELD(material_maps, maps, diffuse.scale) + FIELD(material_maps, maps, diffuse.offset);
         if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
-            uv = turned_uv(ref_flags, uv, s.uv, FIELD(material_maps, maps, diffuse.shear));
+            uv = turned_uv(ref_flags, uv, base, FIELD(material_maps, maps, diffuse.shear));
         real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
         color = select(used, color, real3(real(1.0f)));
         lobes.diffuse = lobes.diffuse * color;
@@ -71,30 +84,64 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     used = texture != word(NONE);
     if (any_lane(used)) {
         word ref_flags = FIELD(material_maps, maps, specular.flags);
-        real2 uv = s.uv * FIELD(material_maps, maps, specular.scale) + FIELD(material_maps, maps, specular.offset);
+        real2 base = map_uv(SCENE_ s, ref_flags);
+        real2 uv = base * FIELD(material_maps, maps, specular.scale) + FIELD(material_maps, maps, specular.offset);
         if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
-            uv = turned_uv(ref_flags, uv, s.uv, FIELD(material_maps, maps, specular.shear));
+            uv = turned_uv(ref_flags, uv, base, FIELD(material_maps, maps, specular.shear));
         real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
         color = select(used, color, real3(real(1.0f)));
         lobes.specular = lobes.specular * color;
         lobes.reflectance = lobes.reflectance * color;
     }
-    lobes.emission = emission_at(SCENE_ s.material, s.uv);
-    texture = FIELD(material_maps, maps, opacity.texture);
+    lobes.emission = emission_at(SCENE_ s);
+    texture = FIELD(material_maps, maps, occlusion.texture);
     used = texture != word(NONE);
     if (any_lane(used)) {
-        word ref_flags = FIELD(material_maps, maps, opacity.flags);
-        real2 uv = s.uv * FIELD(material_maps, maps, opacity.scale) + FIELD(material_maps, maps, opacity.offset);
+        word ref_flags = FIELD(material_maps, maps, occlusion.flags);
+        real2 base = map_uv(SCENE_ s, ref_flags);
+        real2 uv = base * FIELD(material_maps, maps, occlusion.scale) + FIELD(material_maps, maps, occlusion.offset);
         if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
-            uv = turned_uv(ref_flags, uv, s.uv, FIELD(material_maps, maps, opacity.shear));
-        real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
-        real opacity = texture_channel(color, alpha, ref_flags);
+            uv = turned_uv(ref_flags, uv, base, FIELD(material_maps, maps, occlusion.shear));
+        real3 open = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
+        real share = 1.0f + FIELD(material_maps, maps, occlusion.strength) * (open.x - 1.0f);
+        lobes.ambient = select(used, lobes.ambient * share, lobes.ambient);
+    }
+    real vertex_alpha = real(1.0f);
+    mask fades = mask_and(used, mask_not(used));
+    if (FEATURE(FEATURE_VERTEX_ATTRIBUTES)) {
+        word triangle;
+        mask is_triangle = on_triangle(SCENE_ s, triangle);
+        real3 tint = vertex_color(SCENE_ triangle, is_triangle, s.weights, vertex_alpha);
+        lobes.diffuse = lobes.diffuse * tint;
+        lobes.ambient = lobes.ambient * tint;
+        mask mirrors = (flags & word(MATERIAL_VERTEX_SPECULAR)) != word(0u);
+        lobes.specular = select(mirrors, lobes.specular * tint, lobes.specular);
+        lobes.reflectance = select(mirrors, lobes.reflectance * tint, lobes.reflectance);
+        mask passes = (flags & word(MATERIAL_VERTEX_PASSES)) != word(0u);
+        lobes.transmittance = select(passes, lobes.transmittance * tint, lobes.transmittance);
+        fades = (flags & word(MATERIAL_VERTEX_ALPHA)) != word(0u);
+    }
+    texture = FIELD(material_maps, maps, opacity.texture);
+    used = texture != word(NONE);
+    mask thinned = mask_or(used, fades);
+    if (any_lane(thinned)) {
+        word ref_flags = FIELD(material_maps, maps, opacity.flags);
+        real opacity = real(1.0f);
+        if (any_lane(used)) {
+            real2 base = map_uv(SCENE_ s, ref_flags);
+            real2 uv = base * FIELD(material_maps, maps, opacity.scale) + FIELD(material_maps, maps, opacity.offset);
+            if (any_lane((ref_flags & word(TEXTURE_TURNED)) != word(0u)))
+                uv = turned_uv(ref_flags, uv, base, FIELD(material_maps, maps, opacity.shear));
+            real3 color = texture_lookup(SCENE_ valid_index(used, texture), ref_flags, uv, alpha);
+            opacity = select(used, texture_channel(color, alpha, ref_flags), opacity);
+        }
+        opacity = select(fades, opacity * vertex_alpha, opacity);
         mask cut_off = (ref_flags & word(TEXTURE_CUTOFF)) != word(0u);
         if (any_lane(cut_off)) {
             mask there = opacity >= FIELD(material_maps, maps, opacity.strength);
             opacity = select(cut_off, select(there, real(1.0f), real(0.0f)), opacity);
         }
-        opacity = select(used, opacity, real(1.0f));
+        opacity = select(thinned, opacity, real(1.0f));
         // What the map takes away lets light pass straight through.
         lobes.transmittance = real3(real(1.0f)) - (real3(real(1.0f)) - lobes.transmittance) * opacity;
         lobes.reflectance = lobes.reflectance * opacity;

@@ -59,7 +59,7 @@ bool FrameRaster::can(const Frame& frame) {
     return frame.camera_rays == nullptr && frame.camera_normal == kernel::NONE && !(frame.params.lens_radius > 0) &&
            frame.params.camera_kind == kernel::CAMERA_PERSPECTIVE &&
            frame.params.sampling.pixel_filter == kernel::FILTER_PIXEL &&
-           (frame.params.features & (kernel::FEATURE_CULL | kernel::FEATURE_HIDDEN)) == 0 &&
+           (frame.params.features & (kernel::FEATURE_CULL | kernel::FEATURE_ONE_SIDED | kernel::FEATURE_HIDDEN)) == 0 &&
            frame.params.width <= 65536 && frame.params.height <= 65536;
 }
 

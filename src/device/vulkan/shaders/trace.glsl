@@ -61,7 +61,11 @@ bool hit_leaf(uint place, Ray ray, uint ray_kind, inout Hit hit) {
     if (FEATURE(FEATURE_ANALYTIC)) kind = geometries[ref.geometry].kind;
     if (kind == GEOMETRY_TRIANGLES) {
         if (!intersect_triangle(ray, shape.a, shape.b, shape.c, t, u, v, normal)) return false;
-        if (FEATURE(FEATURE_CULL) && is_culled(triangles[ref.primitive].material, normal, ray.direction)) return false;
+        uint material = triangles[ref.primitive].material;
+        if (FEATURE(FEATURE_CULL) && is_culled(material, normal, ray.direction)) return false;
+        if (FEATURE(FEATURE_ONE_SIDED) && (ray_kind & RAY_CAMERA) != 0u && dot(normal, ray.direction) >= 0.0f &&
+            (materials[material].flags & MATERIAL_ONE_SIDED) != 0u)
+            return false;
     } else if (kind == GEOMETRY_SPHERE) {
         if (!intersect_sphere(ray, shape.a, shape.b.x, t, normal)) return false;
         if (FEATURE(FEATURE_CULL) && is_culled(spheres[ref.primitive].material, normal, ray.direction)) return false;
