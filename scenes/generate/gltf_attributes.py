@@ -38,7 +38,7 @@ def colors():
                        translation=[1.1, 0.5, -0.3]))
     sign = a.material([1, 1, 1, 1], extensions={"KHR_materials_unlit": {}})
     nodes.append(a.add("nodes", mesh=colored(a, quad(0.8, 0.5), [hue(i / 4) for i in range(4)], sign),
-                       translation=[2.1, 0.3, 0.3]))
+                       translation=[1.9, 0.3, 0.6]))
     fade = [[65535, 65535, 65535, share] for share in (0, 65535, 65535, 0)]
     for i, more in enumerate([{"alphaMode": "BLEND"}, {"alphaMode": "MASK", "alphaCutoff": 0.5}]):
         pane = a.material([0.9, 0.3, 0.2, 1], doubleSided=True, **more)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "compile/mesh.h"
+
 namespace sundog {
 namespace {
 
@@ -113,6 +115,40 @@ TEST(Compile, AnalyticShapes) {
     EXPECT_FLOAT_EQ(compiled->planes[0].offset, 2);
     EXPECT_EQ(compiled->bounds.lower, (Vec3{-1, 0, 1}));
     EXPECT_EQ(compiled->features, kernel::FEATURE_ANALYTIC);
+}
+
+/// A tetrahedron around (0.25, 0.25, 0.25) whose corners are written anew for each triangle, as files do.
+scene::Mesh tetrahedron() {
+    const Vec3 o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+    scene::Mesh mesh;
+    mesh.positions = {o, y, x, o, x, z, o, z, y, x, y, z};
+    mesh.positions[3].x = -0.0F;  // The same place.
+    for (std::uint32_t i = 0; i < 4; ++i) mesh.triangles.push_back(triangle(3 * i, 3 * i + 1, 3 * i + 2));
+    return mesh;
+}
+
+// Catches closed meshes that are looked into for their backs, open or inverted ones that are not, and the eye inside.
+TEST(Compile, BacksAreLookedForWhereTheyCanBeSeen) {
+    scene::Scene scene;
+    scene.materials.emplace_back().principled.emplace();
+    scene.objects.push_back({"body", {}, tetrahedron(), 0, {}});
+    const auto features = [&](Vec3 eye) {
+        FrameOptions options;
+        options.camera = kernel::Camera{{eye.x, eye.y, eye.z}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+        return make_frame(scene, *compile(scene, {}), options).params.features & kernel::FEATURE_ONE_SIDED;
+    };
+    EXPECT_TRUE(is_closed(tetrahedron()));
+    EXPECT_EQ(features({0, -5, 0}), 0U);
+    EXPECT_NE(features({0.2F, 0.2F, 0.2F}), 0U);
+    scene::Mesh& mesh = *std::get<Boxed<scene::Mesh>>(scene.objects[0].shape);
+    mesh.triangles.pop_back();
+    EXPECT_FALSE(is_closed(mesh));
+    EXPECT_NE(features({0, -5, 0}), 0U);
+    mesh = tetrahedron();
+    for (scene::Mesh::Triangle& t : mesh.triangles) std::swap(t.position[1], t.position[2]);
+    EXPECT_FALSE(is_closed(mesh));
+    scene.materials[0].principled->double_sided = true;
+    EXPECT_EQ(features({0.2F, 0.2F, 0.2F}), 0U);
 }
 
 }  // namespace

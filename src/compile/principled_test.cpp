@@ -133,5 +133,33 @@ TEST(CompilePrincipled, SamplersAndTransforms) {
     EXPECT_EQ(compile_use(use, textures).shear.y, 0.5F);
 }
 
+// Catches backs that are hidden where light passes through, or where both sides are to be seen.
+TEST(CompilePrincipled, WhatIsOneSided) {
+    PrincipledSurface s = surface(0, 1);
+    EXPECT_NE(compiled(s).flags & kernel::MATERIAL_ONE_SIDED, 0U);
+    s.double_sided = true;
+    EXPECT_EQ(compiled(s).flags & kernel::MATERIAL_ONE_SIDED, 0U);
+    s.double_sided = false;
+    s.transmission = 1;
+    EXPECT_EQ(compiled(s).flags & kernel::MATERIAL_ONE_SIDED, 0U);
+}
+
+// Catches vertices' colours that a metal, an unlit surface or a mask doesn't get, and alpha that opaque ones do.
+TEST(CompilePrincipled, WhatColorsOfVerticesMultiply) {
+    const auto flags = [](const PrincipledSurface& s) {
+        return compile_material(s, compile_maps(s, {}, true), {}, true).flags;
+    };
+    EXPECT_EQ(flags(surface(0, 1)) & (kernel::MATERIAL_VERTEX_SPECULAR | kernel::MATERIAL_VERTEX_ALPHA), 0U);
+    EXPECT_NE(flags(surface(1, 1)) & kernel::MATERIAL_VERTEX_SPECULAR, 0U);
+    PrincipledSurface s = surface(0, 1);
+    s.unlit = true;
+    EXPECT_NE(flags(s) & kernel::MATERIAL_VERTEX_EMISSION, 0U);
+    s.alpha_mode = PrincipledSurface::Alpha::mask;
+    EXPECT_NE(flags(s) & kernel::MATERIAL_VERTEX_ALPHA, 0U);
+    EXPECT_NE(flags(s) & kernel::MATERIAL_TRANSPARENT, 0U);
+    EXPECT_NE(compile_maps(s, {}, true).opacity.flags & kernel::TEXTURE_CUTOFF, 0U);
+    EXPECT_EQ(compile_maps(s, {}, false).opacity.flags & kernel::TEXTURE_CUTOFF, 0U);
+}
+
 }  // namespace
 }  // namespace sundog

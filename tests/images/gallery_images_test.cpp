@@ -22,8 +22,9 @@ namespace {
 constexpr int kWidth = 160, kHeight = 120;
 constexpr std::uint32_t kSamples = 4;
 
-output::Image render_at_one_second(const std::filesystem::path& file) {
-    scene::Scene scene = import::import_scene(file, [](const Diagnostic& d) { ADD_FAILURE() << format(d); });
+output::Image render_at_one_second(const std::filesystem::path& file, const import::Choices& choices) {
+    scene::Scene scene = import::import_scene(
+        file, [](const Diagnostic& d) { ADD_FAILURE() << format(d); }, choices);
     scene::deform(scene, 1);
     const auto compiled = compile(scene, {});
     FrameOptions options;
@@ -43,9 +44,10 @@ class GalleryPicture : public testing::TestWithParam<const char*> {};
 
 /// The bounds leave room for another Embree's rounding at edges: 38 dB is a root mean square of 3.2/255, and a mean
 /// FLIP of 0.01 can't be seen.
-void expect_picture(const std::filesystem::path& scene, const std::string& picture) {
+void expect_picture(const std::filesystem::path& scene, const std::string& picture,
+                    const import::Choices& choices = {}) {
     const std::filesystem::path source = SUNDOG_SOURCE_DIR;
-    const output::Image found = render_at_one_second(source / "scenes" / scene);
+    const output::Image found = render_at_one_second(source / "scenes" / scene, choices);
     const output::Image wanted = output::read_image(source / "tests" / "images" / (picture + ".png"));
     const output::Comparison distance = output::compare(found, wanted);
     EXPECT_GE(distance.psnr_db, 38);
@@ -66,18 +68,23 @@ TEST_P(GalleryPicture, IsAsItWas) {
 
 class GltfPicture : public testing::TestWithParam<const char*> {};
 
-// Catches the same in glTF files: samplers, alpha, metals, glass, normal maps, units of light, keyframes and skins.
+// Catches the same in glTF files: samplers, alpha, metals, glass, normal maps, units of light, keyframes, skins,
+// vertices' colours and tangents, sets of texture coordinates, and backs that aren't drawn.
 TEST_P(GltfPicture, IsAsItWas) {
     const std::filesystem::path file = GetParam();
     expect_picture("gltf" / file, "gltf_" + file.stem().string());
 }
 
+// Catches a variant that is ignored, and one that reaches only some meshes. Its picture is made with --variant brass.
+TEST(GltfVariant, IsAsItWas) { expect_picture("gltf/variants.gltf", "gltf_variant_brass", {.variant = "brass"}); }
+
 INSTANTIATE_TEST_SUITE_P(Gallery, GalleryPicture, testing::Values("table", "cornell", "mirrors", "glass", "textured"),
                          [](const auto& name) { return std::string(name.param); });
 INSTANTIATE_TEST_SUITE_P(Gallery, GltfPicture,
                          testing::Values("textured.glb", "spheres.gltf", "alpha.gltf", "normal.gltf", "lights.gltf",
-                                         "instances.gltf", "quantized.gltf", "animated.gltf", "bent.gltf",
-                                         "glass.gltf"),
+                                         "instances.gltf", "quantized.gltf", "animated.gltf", "bent.gltf", "glass.gltf",
+                                         "colors.gltf", "uv_sets.gltf", "tangents.gltf", "variants.gltf",
+                                         "one_sided.gltf"),
                          [](const auto& name) { return std::filesystem::path(name.param).stem().string(); });
 
 }  // namespace

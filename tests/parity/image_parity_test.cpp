@@ -103,6 +103,14 @@ TEST_P(GalleryParity, CpuAndGpuDrawTheSamePicture) {
     compare_devices({GetParam(), import::import_scene(folder / (GetParam() + ".scene"), {}), 1.5F});
 }
 
+class GltfParity : public testing::TestWithParam<std::string> {};
+
+// Catches the same in what vertices have beside texture coordinates, and in backs that the eye doesn't see.
+TEST_P(GltfParity, CpuAndGpuDrawTheSamePicture) {
+    const std::filesystem::path folder = std::filesystem::path(SUNDOG_SOURCE_DIR) / "scenes" / "gltf";
+    compare_devices({GetParam(), import::import_scene(folder / (GetParam() + ".gltf"), {}), 0});
+}
+
 std::string test_name(const testing::TestParamInfo<TestScene>& info) {
     std::string name = info.param.name;
     std::replace(name.begin(), name.end(), ' ', '_');
@@ -111,6 +119,9 @@ std::string test_name(const testing::TestParamInfo<TestScene>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ImageParity, testing::ValuesIn(test_scenes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Gallery, GalleryParity, testing::Values("table", "cornell", "mirrors", "glass", "textured"),
+                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Gallery, GltfParity,
+                         testing::Values("colors", "uv_sets", "tangents", "one_sided", "alpha", "glass"),
                          [](const testing::TestParamInfo<std::string>& info) { return info.param; });
 
 }  // namespace

@@ -206,5 +206,73 @@ TEST(GltfImport, SkinsAndMorphTargets) {
     EXPECT_NEAR(box("puff").upper.x, 0.55F, 1e-3F);
 }
 
+// Catches colours of bytes that are not normalised, alpha that is lost, and meshes without texture coordinates whose
+// colours belong to other vertices.
+TEST(GltfImport, ColorsOfVertices) {
+    const scene::Scene scene = gallery("colors.gltf");
+    const scene::Mesh& ball = mesh_of(scene.objects.at(0));
+    ASSERT_EQ(ball.attributes.size(), ball.texcoords.size());
+    expect_near(ball.attributes[0].color, {1, 0.25F, 0.25F}, 1e-4F);
+    const scene::Mesh& block = mesh_of(scene.objects.at(1));
+    EXPECT_LE(block.attributes[0].color.x, 1);
+    EXPECT_EQ(block.attributes[0].alpha, 1);
+    const scene::Mesh& pane = mesh_of(scene.objects.at(4));
+    EXPECT_EQ(pane.attributes[0].alpha, 0);
+    EXPECT_EQ(pane.attributes[1].alpha, 1);
+    std::string text = replaced(triangle_gltf(), R"("POSITION": 0)", R"("POSITION": 0, "COLOR_0": 0)");
+    const scene::Scene bare = import_text(text);
+    const scene::Mesh& mesh = mesh_of(bare.objects.at(0));
+    ASSERT_EQ(mesh.attributes.size(), 3U);
+    EXPECT_EQ(mesh.triangles[0].texcoord[1], 1U);
+    EXPECT_EQ(mesh.attributes[1].color, (Vec3{1, 0, 0}));
+}
+
+// Catches maps that go by another set than their `texCoord`, or their transform's, names.
+TEST(GltfImport, TwoSetsOfTextureCoordinates) {
+    const scene::Scene scene = gallery("uv_sets.gltf");
+    const scene::PrincipledSurface& s = *scene.materials.at(0).principled;
+    EXPECT_EQ(s.base_color_map.uv_set, 0);
+    EXPECT_EQ(s.emission_map.uv_set, 1);
+    EXPECT_EQ(s.occlusion_map.uv_set, 1);
+    const scene::Mesh& wall = mesh_of(scene.objects.at(0));
+    EXPECT_EQ(wall.texcoords[1].x, 3);
+    EXPECT_EQ(wall.attributes.at(1).second_texcoord, (Vec2{1, 0}));
+}
+
+// Catches tangents that stay behind when their mesh is turned, and hands that a mirror image doesn't change.
+TEST(GltfImport, Tangents) {
+    const scene::Scene scene = gallery("tangents.gltf");
+    EXPECT_TRUE(mesh_of(scene.objects.at(0)).attributes.empty());
+    const auto first = [&](std::size_t object) { return mesh_of(scene.objects.at(object)).attributes.at(0); };
+    expect_near(first(1).tangent, {1, 0, 0});
+    expect_near(first(2).tangent, {0, 0, -1});  // The file's Y is up.
+    EXPECT_EQ(first(3).handedness, -1);
+    expect_near(first(4).tangent, {-1, 0, 0});
+    EXPECT_EQ(first(4).handedness, 1);
+    expect_near(first(5).tangent, {-1, 0, 0});
+    EXPECT_EQ(first(5).handedness, -1);
+}
+
+// Catches variants that are numbered wrongly or given to primitives that have none, and unknown names without help.
+TEST(GltfImport, Variants) {
+    const std::filesystem::path file = std::filesystem::path(SUNDOG_SOURCE_DIR) / "scenes/gltf/variants.gltf";
+    const auto color_of = [&](const char* variant, std::size_t object) {
+        const scene::Scene scene = import_gltf(file, {}, variant);
+        return scene.materials.at(mesh_of(scene.objects.at(object)).triangles[0].material).principled->base_color;
+    };
+    expect_near(color_of("", 0), {0.8F, 0.8F, 0.8F});
+    expect_near(color_of("red", 0), {0.8F, 0.1F, 0.1F});
+    expect_near(color_of("red", 1), {0.9F, 0.7F, 0.35F});
+    expect_near(color_of("squared", 1), {0.8F, 0.8F, 0.8F});  // Names no material for the box.
+    EXPECT_EQ(import_gltf(file, {}).variants, (std::vector<std::string>{"brass", "red", "squared"}));
+    try {
+        (void)import_gltf(file, {}, "bras");
+        FAIL() << "an unknown variant is taken";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.diagnostic().hint.find("'brass'"), std::string::npos) << error.diagnostic().hint;
+        EXPECT_NE(error.diagnostic().hint.find("'squared'"), std::string::npos) << error.diagnostic().hint;
+    }
+}
+
 }  // namespace
 }  // namespace sundog::import::gltf

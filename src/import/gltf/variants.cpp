@@ -24,7 +24,7 @@ std::optional<std::size_t> find_variant(Asset& asset, std::string_view name) {
     std::string hint = suggest(name, valid);
     std::string all;
     for (const std::string_view one : valid) all += (all.empty() ? "" : ", ") + in_quotes(one);
-    hint += (hint.empty() ? "the file has " : "; the file has ") + all;
+    hint += (hint.empty() ? "the file has " : " the file has ") + all;
     fail_file(asset.name(), "there is no variant " + in_quotes(name), std::move(hint));
 }
 
