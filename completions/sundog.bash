@@ -4,7 +4,7 @@
 
 _sundog() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]:-}
-  local commands="render view info compare bench pov help"
+  local commands="render view info compare bake bench pov help"
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     mapfile -t COMPREPLY < <(compgen -W "$commands --help --version" -- "$word")
@@ -31,7 +31,7 @@ _sundog() {
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
     -o | --output | --environment) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --variant | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --turntable | --pixel | --gain | --rounds)
+    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --patch | --variant | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --turntable | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
@@ -42,6 +42,7 @@ _sundog() {
       files='@(scene|obj|gltf|glb|conf)' ;;
     view) options+=" --variant --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
     info) options+=" --variant --devices --all"; files='@(scene|obj|gltf|glb|conf)' ;;
+    bake) options+=" --output --patch --spp --max-depth --time --seed --threads --quiet"; files='@(scene|obj|gltf|glb|conf|pov)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
     bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --accel --refine --sampling --scene" ;;
     pov)

@@ -14,6 +14,7 @@ void add_render(CLI::App& program, Action& action);
 void add_view(CLI::App& program, Action& action);
 void add_info(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
+void add_bake(CLI::App& program, Action& action);
 void add_bench(CLI::App& program, Action& action);
 void add_help(CLI::App& program, Action& action);
 

@@ -84,6 +84,7 @@ int run(int argc, char** argv) {
     add_view(program, action);
     add_info(program, action);
     add_compare(program, action);
+    add_bake(program, action);
     add_bench(program, action);
     program.add_subcommand("pov", "Render a POV-Ray scene, called as povray is");
     add_help(program, action);

@@ -101,6 +101,8 @@ TEST(Usage, WrongCallsEndWith2AndSayWhatIsRight) {
         {{"render", scene, "--pixel", "700,0"}, "outside the picture of"},
         {{"help", "rendre"}, "did you mean 'render'"},
         {{"compare", "a.png"}, "two pictures are needed"},
+        {{"bake", scene}, "nothing says where the scene goes"},
+        {{"bake", scene, "-o", "walk.obj"}, "doesn't end in .glb"},
     };
     const TemporaryFolder folder;
     for (const WrongCall& call : calls) {
@@ -169,6 +171,12 @@ TEST(Usage, OptionsOutOfRangeSayTheRange) {
           {"--aov", {"xyz"}, "depth, normal, albedo, object, samples, cost or all"},
           {"--pixel", {"-1,0", "1"}, "counted from 0"}}},
         {{"view", scene}, {size, threads, accel, max_depth, min_weight, {"--device", {"xyz"}, "auto, cpu or gpu"}}},
+        {{"bake", scene, "-o", "a.glb"},
+         {threads,
+          {"--patch", {"0", "-1", "nan"}, "a number from"},
+          {"--spp", {"0", "1.5"}, "a whole number from 1 to 1000000"},
+          {"--max-depth", {"-1"}, "a whole number from 0 to 10000"},
+          {"--seed", {"-1"}, "a whole number from 0 to 1000000000"}}},
         {{"bench"},
          {threads,
           {"--device", {"xyz", "auto"}, "cpu or gpu"},

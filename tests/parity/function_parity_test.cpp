@@ -69,7 +69,7 @@ class GpuCalls {
 public:
     GpuCalls(const Prepared& prepared, std::vector<std::string>& messages)
         : gpu_(0, [&messages](std::string_view message) { messages.emplace_back(message); }),
-          pipelines_(gpu_, kernel_calls_spirv, kernel::BINDING_COUNT, sizeof(std::uint32_t)),
+          pipelines_(gpu_, {kernel_calls_spirv}, kernel::BINDING_COUNT, sizeof(std::uint32_t)),
           scene_(gpu_, pipelines_, *prepared.scene) {
         scene_.set_frame(gpu_, pipelines_, prepared.frame);
         pipeline_ = pipelines_.get({prepared.frame.params.features, 0, 1});
