@@ -72,14 +72,16 @@ scene::Scene import_model(const std::filesystem::path& file, const WarningSink& 
 }
 
 /// True if something is there to give light: a surface that shines all over, for pictures of screens and lamps on
-/// things light nothing.
+/// things light nothing. Surfaces that are all unlit need none.
 bool has_light(const scene::Scene& scene) {
     const auto shines = [](const scene::Material& m) {
         return m.principled && m.principled->emission_map.texture == scene::kNone &&
                !(m.principled->emission == Vec3{});
     };
+    const auto unlit = [](const scene::Material& m) { return m.principled && m.principled->unlit; };
     return !scene.lights.empty() || scene.environment ||
-           std::any_of(scene.materials.begin(), scene.materials.end(), shines);
+           std::any_of(scene.materials.begin(), scene.materials.end(), shines) ||
+           std::all_of(scene.materials.begin(), scene.materials.end(), unlit);
 }
 
 scene::Scene import_gltf_model(const std::filesystem::path& file, const WarningSink& warn, const Choices& choices) {

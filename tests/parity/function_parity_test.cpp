@@ -72,7 +72,7 @@ public:
           pipelines_(gpu_, {kernel_calls_spirv}, kernel::BINDING_COUNT, sizeof(std::uint32_t)),
           scene_(gpu_, pipelines_, *prepared.scene) {
         scene_.set_frame(gpu_, pipelines_, prepared.frame);
-        pipeline_ = pipelines_.get({prepared.frame.params.features, 0, 1});
+        pipeline_ = pipelines_.get({0, prepared.frame.params.features, 0, 1, 0});
     }
 
     Results call(const FunctionCase& function, const Arguments& arguments) {

@@ -29,14 +29,6 @@ FN real phase_function(uint type, real cosine, float eccentricity) {
     return real(1.0f);
 }
 
-/// What phase_function() is the mean of over all directions: by this much povray's lights are brighter in media than
-/// the light that paths carry on.
-FN real phase_mean(word type) {
-    real mean = select(type == word(2u), real(1.15331075f), real(1.0f));
-    mean = select(type == word(3u), real(1.24679659f), mean);
-    return select(type == word(4u), real(1.06582935f), mean);
-}
-
 /// The same functions as densities over solid angle, a type in each lane.
 FN real phase_density(word type, real cosine, real eccentricity) {
     mask hazy = mask_or(type == word(2u), type == word(3u));

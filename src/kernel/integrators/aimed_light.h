@@ -43,11 +43,8 @@ FN real3 light_from_points(SCENE Surface s, Lobes lobes, LARGE(LayerColors) laye
         real3 color = real3(light.color);
         if (FEATURE(FEATURE_LIGHT_SHAPES))
             color = color * light_share(light, s.position, from, in_parts ? reach : distance);
-        if (FEATURE(FEATURE_MEDIA)) {
-            // As in povray, a light is as bright in a medium of any phase function as on a surface that faces it.
-            color = color * select(scatter.particle, 4.0f * phase_mean(scatter.phase), real(1.0f));
-            if ((light.flags & LIGHT_PASSES_MEDIA) != 0u) lit = mask_and(lit, mask_not(scatter.particle));
-        }
+        if (FEATURE(FEATURE_MEDIA) && (light.flags & LIGHT_PASSES_MEDIA) != 0u)
+            lit = mask_and(lit, mask_not(scatter.particle));
         real3 amount = abs(color);
         lit = mask_and(lit, largest(amount) > real(0.0f));
         if (!any_lane(lit)) continue;
