@@ -44,7 +44,8 @@ const std::vector<Rule>& rules() {
         {"src/device/vulkan", {"device/vulkan", "device/bvh", "device/", "kernel", "base"}},
         {"src/device/choose",
          {"device/choose", "device/cpu/cpu_device.h", "device/vulkan/vulkan_device.h", "device/", "base"}},
-        {"src/session", {"session", "denoise", "device/", "sampling", "kernel", "base"}},
+        {"src/postprocess", {"postprocess", "base"}},
+        {"src/session", {"session", "denoise", "postprocess", "device/", "sampling", "kernel", "base"}},
         {"apps/intro64k", {"apps/intro64k", "kernel", "sampling"}},
     };
     return table;
