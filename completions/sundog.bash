@@ -38,7 +38,7 @@ _sundog() {
   case $command in
     render)
       options+=" --variant --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
-      options+=" --time --shutter --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --clamp --occlusion-distance --aperture --focus --focus-pixel --blades --camera --turntable --pixel --denoise --quiet"
+      options+=" --time --shutter --shutter-blur --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --clamp --occlusion-distance --aperture --focus --focus-pixel --blades --lens-blur --camera --turntable --pixel --denoise --quiet"
       files='@(scene|obj|gltf|glb|conf)' ;;
     view) options+=" --variant --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
     info) options+=" --variant --devices --all"; files='@(scene|obj|gltf|glb|conf)' ;;

@@ -87,7 +87,7 @@ void check_denoising(const RenderArguments& arguments) {
 }
 
 void check_shutter(const RenderArguments& arguments) {
-    if (!(arguments.shutter_s > 0)) return;
+    if (!(arguments.shutter_s > 0) || arguments.blur.velocity) return;
     if (arguments.sampling.way() != SamplingArguments::Way::fixed || arguments.sampling.most_samples() < 2)
         throw UsageError("--shutter spreads a fixed number of samples over time", "for example --spp 64");
     if (arguments.denoise || arguments.pixel || arguments.shown != Shown::picture)
@@ -107,6 +107,7 @@ int render(RenderArguments arguments) {
     if (arguments.shown == Shown::rays) check_shown_rays(arguments);
     if (arguments.denoise) check_denoising(arguments);
     check_shutter(arguments);
+    arguments.blur.check(arguments);
     check_primary(arguments);
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
     if (arguments.output.empty() && !arguments.pixel)
@@ -149,6 +150,8 @@ int render(RenderArguments arguments) {
 
     if (const auto focus = arguments.light.pick_focus(make_frame(scene, *compiled, arguments.frame), session))
         arguments.frame.focus_distance = *focus;
+
+    arguments.blur.check_camera(make_frame(scene, *compiled, arguments.frame));
 
     const Stage stage{scene, *compiled, session};
     if (arguments.pixel) return print_pixel(arguments, stage);
@@ -261,6 +264,7 @@ void add_render(CLI::App& program, Action& action) {
             "--exposure", [&a](Text text) { a.exposure_ev = parse_float("--exposure", text, -100, 100); },
             "Brighten by this many stops (0)")
         ->type_name("EV");
+    add_blur_options(*command, a.blur);
     add_tone_options(*command, a.tone);
     add_environment_options(*command, a.environment);
     command

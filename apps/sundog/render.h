@@ -6,6 +6,7 @@
 #include <string>
 
 #include "arguments.h"
+#include "blur_options.h"
 #include "camera_views.h"
 #include "compile/compile.h"
 #include "environment_options.h"
@@ -37,6 +38,7 @@ struct RenderArguments {
     LightArguments light;
     float time_s = 0;
     float shutter_s = 0;  ///< How long it is open; 0: pictures are of one moment.
+    BlurArguments blur;
     float exposure_ev = 0;
     ToneArguments tone;
     EnvironmentArguments environment;

@@ -162,6 +162,14 @@ PictureAndSummary clean_picture_of(const Frame& frame, const RenderArguments& ar
 /// The picture that was asked for: of one moment or of an open shutter.
 PictureAndSummary shot_of(const Frame& frame, const FrameOptions& options, const RenderArguments& arguments,
                           const Stage& stage, const ProgressSink& progress, const StopFlag& stop) {
+    if (arguments.blur.any()) {
+        const ShutterFrames frames = shutter_frames(arguments, options, stage);
+        Frame sharp = frames.middle;
+        if (arguments.blur.lens) sharp.params.lens_radius = 0;
+        PictureAndSummary picture = clean_picture_of(sharp, arguments, stage.session, progress, stop);
+        if (!picture.result.stopped) picture.samples += blur_picture(arguments, frames, stage, stop, picture.result);
+        return picture;
+    }
     if (!(arguments.shutter_s > 0)) return clean_picture_of(frame, arguments, stage.session, progress, stop);
     PictureAndSummary picture{render_open_shutter(arguments, options, stage, progress, stop), {}};
     picture.samples = samples_of(picture.result);

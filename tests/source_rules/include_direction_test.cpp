@@ -45,7 +45,8 @@ const std::vector<Rule>& rules() {
         {"src/device/choose",
          {"device/choose", "device/cpu/cpu_device.h", "device/vulkan/vulkan_device.h", "device/", "base"}},
         {"src/bake", {"bake", "session", "compile", "device/", "kernel", "scene", "output", "base"}},
-        {"src/session", {"session", "denoise", "device/", "sampling", "kernel", "base"}},
+        {"src/postprocess", {"postprocess", "base"}},
+        {"src/session", {"session", "denoise", "postprocess", "device/", "sampling", "kernel", "base"}},
         {"apps/intro64k", {"apps/intro64k", "kernel", "sampling"}},
     };
     return table;
