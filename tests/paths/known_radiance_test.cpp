@@ -132,8 +132,8 @@ TEST_F(Paths, ARectangleLightBeforeAWall) {
     EXPECT_NEAR(mean(s, options, 256), want, 0.01F * want);
 }
 
-// The same through a dark veil that lets three quarters pass. Catches light that is aimed at through it, met through it,
-// and counted twice or not at all; and rays that go on behind a veil and end in what shines.
+// The same through a dark veil that lets three quarters pass. Catches light that is aimed at through it, met through
+// it, and counted twice or not at all; and rays that go on behind a veil and end in what shines.
 TEST_F(Paths, LightThroughAVeilCountsOnce) {
     scene::Scene s = empty_scene();
     add_quad(s, {-50, 4, -50}, {50, 4, -50}, {50, 4, 50}, {-50, 4, 50}, add_material(s, matt({0.8F, 0.8F, 0.8F})));
