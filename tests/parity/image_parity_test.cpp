@@ -120,8 +120,7 @@ std::string test_name(const testing::TestParamInfo<TestScene>& info) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ImageParity, testing::ValuesIn(test_scenes()), test_name);
 INSTANTIATE_TEST_SUITE_P(Gallery, GalleryParity, testing::Values("table", "cornell", "mirrors", "glass", "textured"),
                          [](const testing::TestParamInfo<std::string>& info) { return info.param; });
-INSTANTIATE_TEST_SUITE_P(Gallery, GltfParity,
-                         testing::Values("colors", "uv_sets", "tangents", "one_sided", "alpha", "glass"),
+INSTANTIATE_TEST_SUITE_P(Gallery, GltfParity, testing::Values("colors", "uv_sets", "tangents", "one_sided"),
                          [](const testing::TestParamInfo<std::string>& info) { return info.param; });
 
 }  // namespace
