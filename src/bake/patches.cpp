@@ -13,7 +13,7 @@ namespace {
 /// What tells vertices apart that stand in one place.
 struct Corner {
     std::uint32_t position, normal, texcoord;
-    auto operator<=>(const Corner&) const = default;
+    auto operator<=>(const Corner&) const = default;  // NOLINT(modernize-use-nullptr): its own zero
 };
 
 Vec3 unit(Vec3 v) {
@@ -53,7 +53,7 @@ private:
     }
 
     std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
-        // In an order of places, so that neighbours with vertices of their own get the very same middle.
+        // One for both triangles of an edge. Neighbours with vertices of their own get it from the same two places.
         const std::uint64_t key = std::uint64_t{std::min(a, b)} << 32U | std::max(a, b);
         const auto [known, is_new] = middles_.try_emplace(key, static_cast<std::uint32_t>(part_.positions.size()));
         if (is_new) {
