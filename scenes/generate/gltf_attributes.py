@@ -4,7 +4,7 @@
 from math import cos, pi
 
 from gltf import Asset, box, floor, png, quad, sphere, turn
-from gltf_models import GREY, camera, checker, sun
+from gltf_models import GREY, camera, checker, stud, sun
 
 UNSIGNED_BYTE, UNSIGNED_SHORT = 5121, 5123
 
@@ -84,13 +84,6 @@ def uv_sets():
 def tangents():
     """Studs as seen by the texture coordinates, by tangents that say the same, by others, and from behind."""
     a = Asset()
-
-    def stud(x, y):
-        dx, dy = (x % 16 - 7.5) / 6, (y % 16 - 7.5) / 6
-        reach = dx * dx + dy * dy
-        if reach > 1:
-            return (128, 128, 255, 255)
-        return (int(127.5 + 110 * dx), int(127.5 - 110 * dy), int(127.5 + 127 * (1 - 0.75 * reach) ** 0.5), 255)
 
     material = a.material([0.7, 0.7, 0.75, 1], normalTexture=a.texture(png(32, 32, stud)), doubleSided=True)
     nodes = []

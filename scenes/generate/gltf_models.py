@@ -80,16 +80,18 @@ def alpha():
     return a.text()
 
 
+def stud(x, y):
+    """A texel of a normal map with a stud every 16 texels."""
+    dx, dy = (x % 16 - 7.5) / 6, (y % 16 - 7.5) / 6
+    reach = dx * dx + dy * dy
+    if reach > 1:
+        return (128, 128, 255, 255)
+    return (int(127.5 + 110 * dx), int(127.5 - 110 * dy), int(127.5 + 127 * (1 - 0.75 * reach) ** 0.5), 255)
+
+
 def normal_map():
     """Studs that are there in the normals alone, lit from the left by a spot."""
     a = Asset()
-
-    def stud(x, y):
-        dx, dy = (x % 16 - 7.5) / 6, (y % 16 - 7.5) / 6
-        reach = dx * dx + dy * dy
-        if reach > 1:
-            return (128, 128, 255, 255)
-        return (int(127.5 + 110 * dx), int(127.5 - 110 * dy), int(127.5 + 127 * (1 - 0.75 * reach) ** 0.5), 255)
 
     studs = a.texture(png(32, 32, stud))
     wall = a.mesh(quad(3, 2), a.material([0.7, 0.7, 0.75, 1], normalTexture={**studs, "scale": 1}))

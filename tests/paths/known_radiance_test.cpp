@@ -110,22 +110,25 @@ float rectangle_share(float a, float b) {
     return 4 / (2 * kPiF) * (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb));
 }
 
+/// A matt wall, and behind the eye, so that it doesn't hide it, a shining rectangle that faces its middle.
+scene::Scene lamp_before_a_wall() {
+    scene::Scene s = empty_scene();
+    add_quad(s, {-50, 4, -50}, {50, 4, -50}, {50, 4, 50}, {-50, 4, 50}, add_material(s, matt({0.8F, 0.8F, 0.8F})));
+    add_quad(s, {-3, -1, -2}, {3, -1, -2}, {3, -1, 2}, {-3, -1, 2}, add_material(s, shining({5, 5, 5}, {0, 0, 0})));
+    return s;
+}
+
+/// The radiance of the wall's middle.
+const float kBeforeALamp = 0.8F * 5 * rectangle_share(3.0F / 5, 2.0F / 5);
+
 // A shining rectangle that faces a matt wall: radiance opposite its middle is Kd L times its share of the view, both
 // where light is aimed at and, on a wall of gloss (whose directions are drawn for it), where it is met. Catches
 // densities of triangles and weights that don't add up to 1.
 TEST_F(Paths, ARectangleLightBeforeAWall) {
-    scene::Scene s = empty_scene();
-    add_quad(s, {-50, 4, -50}, {50, 4, -50}, {50, 4, 50}, {-50, 4, 50}, add_material(s, matt({0.8F, 0.8F, 0.8F})));
-    // Behind the eye, so that it doesn't hide the wall.
-    const scene::Index lamp = add_material(s, shining({5, 5, 5}, {0, 0, 0}));
-    add_quad(s, {-3, -1, -2}, {3, -1, -2}, {3, -1, 2}, {-3, -1, 2}, lamp);
+    const scene::Scene s = lamp_before_a_wall();
     FrameOptions options = paths(8, 8, 0);
-    kernel::Camera narrow{};
-    narrow.center = {0, 1, 0};
-    narrow.right = {0.001F, 0, 0};
-    narrow.up = {0, 0, 0.001F};
-    options.camera = narrow;
-    const float want = 0.8F * 5 * rectangle_share(3.0F / 5, 2.0F / 5);
+    options.camera = narrow_camera(0.001F);
+    const float want = kBeforeALamp;
     EXPECT_NEAR(mean(s, options, 256), want, 0.01F * want);
     // One bounce more finds nothing, but light is now shared between both ways of finding it.
     options.max_depth = 1;
@@ -135,9 +138,7 @@ TEST_F(Paths, ARectangleLightBeforeAWall) {
 // The same through a dark veil that lets three quarters pass. Catches light that is aimed at through it, met through
 // it, and counted twice or not at all; and rays that go on behind a veil and end in what shines.
 TEST_F(Paths, LightThroughAVeilCountsOnce) {
-    scene::Scene s = empty_scene();
-    add_quad(s, {-50, 4, -50}, {50, 4, -50}, {50, 4, 50}, {-50, 4, 50}, add_material(s, matt({0.8F, 0.8F, 0.8F})));
-    add_quad(s, {-3, -1, -2}, {3, -1, -2}, {3, -1, 2}, {-3, -1, 2}, add_material(s, shining({5, 5, 5}, {0, 0, 0})));
+    scene::Scene s = lamp_before_a_wall();
     scene::Material veil;
     veil.principled->base_color = {0, 0, 0};
     veil.principled->specular = 0;
@@ -145,12 +146,8 @@ TEST_F(Paths, LightThroughAVeilCountsOnce) {
     veil.principled->alpha_mode = scene::PrincipledSurface::Alpha::blend;
     add_quad(s, {-30, -0.5F, -30}, {30, -0.5F, -30}, {30, -0.5F, 30}, {-30, -0.5F, 30}, add_material(s, veil));
     FrameOptions options = paths(16, 16, 4);
-    kernel::Camera narrow{};
-    narrow.center = {0, 1, 0};
-    narrow.right = {0.001F, 0, 0};
-    narrow.up = {0, 0, 0.001F};
-    options.camera = narrow;
-    const float want = 0.75F * 0.8F * 5 * rectangle_share(3.0F / 5, 2.0F / 5);
+    options.camera = narrow_camera(0.001F);
+    const float want = 0.75F * kBeforeALamp;
     // At the first depth light is aimed at alone.
     for (const int depth : {0, 1, 4}) {
         options.max_depth = depth;
@@ -210,11 +207,7 @@ TEST_F(Paths, PrincipledSurfacesInEvenLight) {
         m.principled->thickness = kind.thickness;
         add_shape(s, scene::Sphere{{0, 4, 0}, 2.5F}, add_material(s, m));
         FrameOptions options = paths(16, 16, 64);
-        kernel::Camera narrow{};
-        narrow.center = {0, 1, 0};
-        narrow.right = {0.4F, 0, 0};
-        narrow.up = {0, 0, 0.4F};
-        options.camera = narrow;
+        options.camera = narrow_camera(0.4F);
         const float got = mean(s, options, 256);
         EXPECT_GT(got, kind.least) << kind.name;
         EXPECT_LT(got, 1.01F) << kind.name;

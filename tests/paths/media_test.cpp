@@ -44,15 +44,7 @@ protected:
     PathsInMedia() {
         options_.integrator = kernel::INTEGRATOR_PATH;
         options_.max_depth = 200;
-        options_.camera = looking_ahead();
-    }
-    /// A narrow view along +Y from the origin.
-    static kernel::Camera looking_ahead() {
-        kernel::Camera camera{};
-        camera.center = {0, 1, 0};
-        camera.right = {0.05F, 0, 0};
-        camera.up = {0, 0, 0.05F};
-        return camera;
+        options_.camera = narrow_camera(0.05F);
     }
     void add_box(Vec3 lower, Vec3 upper, std::vector<scene::Medium> media) {
         add_shape(scene_, scene::Box{lower, upper}, add_material(scene_, clear_material(std::move(media))));

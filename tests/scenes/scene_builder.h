@@ -89,6 +89,15 @@ inline Picture render_on(Device& device, const scene::Scene& s, FrameOptions opt
     return {std::move(film), stats, std::move(frame)};
 }
 
+/// Looks from the origin along +Y; half the window, one unit before the eye, is `half` wide and high.
+inline kernel::Camera narrow_camera(float half) {
+    kernel::Camera camera{};
+    camera.center = {0, 1, 0};
+    camera.right = {half, 0, 0};
+    camera.up = {0, 0, half};
+    return camera;
+}
+
 inline FrameOptions size(int width, int height) {
     FrameOptions options;
     options.width = width;
