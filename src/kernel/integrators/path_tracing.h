@@ -113,8 +113,7 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
             next.direction = select(through, select(bends, normalize(refracted), incoming), next.direction);
             next.origin = select(through, s.position - s.geometric_normal * s.error, next.origin);
             if (FEATURE(FEATURE_VEILS)) {
-                real3 passes;
-                mask straight = passes_straight(SCENE_ s, lobes, through, passes);
+                mask straight = mask_and(through, mask_or(scatter.own, is_unbent(SCENE_ s, lobes, through)));
                 path.density = select(straight, drawn_before, path.density);
                 path.passed = select(straight, passed_before, path.passed);
                 mask may_pass = path.vertices < word(FRAME.max_depth + MAX_SHADOW_SURFACES);

@@ -9,10 +9,9 @@
 
 KERNEL_BEGIN
 
-/// Lanes of `alive` in which light passes a surface without being bent, and what passes. Both ways in which paths find
-/// light, by aiming and by meeting it, go by this.
-FN mask passes_straight(SCENE Surface s, Lobes lobes, mask alive, OUT(real3) passes) {
-    passes = lobes.transmittance;
+/// Lanes of `alive` whose lobes don't bend what passes. Both ways in which paths find light, by aiming and by meeting
+/// it, go by this; what a reflection model's opacity lets pass is never bent.
+FN mask is_unbent(SCENE Surface s, Lobes lobes, mask alive) {
     mask straight = mask_and(alive, abs(lobes.eta - 1.0f) <= real(0.0f));
     if (FEATURE(FEATURE_PATTERNED)) {
         mask layered = mask_and(alive, lobes.patterned);
@@ -21,6 +20,13 @@ FN mask passes_straight(SCENE Surface s, Lobes lobes, mask alive, OUT(real3) pas
             straight = mask_and(straight, mask_or(mask_not(layered), unbent));
         }
     }
+    return straight;
+}
+
+/// Lanes of `alive` in which light passes a surface without being bent, and what passes.
+FN mask passes_straight(SCENE Surface s, Lobes lobes, mask alive, OUT(real3) passes) {
+    passes = lobes.transmittance;
+    mask straight = is_unbent(SCENE_ s, lobes, alive);
     if (FEATURE(FEATURE_BSDF)) {
         word model = FIELD(materials, s.material, bsdf);
         mask own = mask_and(alive, model != word(NONE));
