@@ -17,6 +17,13 @@ using vfloat = float __attribute__((vector_size(4 * SUNDOG_KERNEL_LANES)));
 using vuint = std::uint32_t __attribute__((vector_size(4 * SUNDOG_KERNEL_LANES)));
 using vint = std::int32_t __attribute__((vector_size(4 * SUNDOG_KERNEL_LANES)));
 
+/// std::bit_cast, inlined early: the tens of thousands of calls in a large kernel would keep the inliner busy for half
+/// of the time that the kernel takes to compile.
+template <class To, class From>
+FN To bits_as(From from) {
+    return reinterpret_cast<To>(from);
+}
+
 struct mask {
 #if SUNDOG_KERNEL_LANES == 16
     __mmask16 m;
@@ -65,17 +72,17 @@ FN word operator^(word a, word b) { return word(a.v ^ b.v); }
 FN word operator<<(word a, uint bits) { return word(a.v << bits); }
 FN word operator>>(word a, uint bits) { return word(a.v >> bits); }
 
-FN word as_word(real x) { return word(std::bit_cast<vuint>(x.v)); }
-FN real as_real(word x) { return real(std::bit_cast<vfloat>(x.v)); }
-FN word word_from_real(real x) { return word(std::bit_cast<vuint>(__builtin_convertvector(x.v, vint))); }
-FN real real_from_word(word x) { return real(__builtin_convertvector(std::bit_cast<vint>(x.v), vfloat)); }
+FN word as_word(real x) { return word(bits_as<vuint>(x.v)); }
+FN real as_real(word x) { return real(bits_as<vfloat>(x.v)); }
+FN word word_from_real(real x) { return word(bits_as<vuint>(__builtin_convertvector(x.v, vint))); }
+FN real real_from_word(word x) { return real(__builtin_convertvector(bits_as<vint>(x.v), vfloat)); }
 
 #if SUNDOG_KERNEL_LANES == 16
 
-FN __m512 native(real x) { return std::bit_cast<__m512>(x.v); }
-FN __m512i native(word x) { return std::bit_cast<__m512i>(x.v); }
-FN real from_native(__m512 x) { return real(std::bit_cast<vfloat>(x)); }
-FN word from_native(__m512i x) { return word(std::bit_cast<vuint>(x)); }
+FN __m512 native(real x) { return bits_as<__m512>(x.v); }
+FN __m512i native(word x) { return bits_as<__m512i>(x.v); }
+FN real from_native(__m512 x) { return real(bits_as<vfloat>(x)); }
+FN word from_native(__m512i x) { return word(bits_as<vuint>(x)); }
 
 FN mask operator<(real a, real b) { return mask(_mm512_cmp_ps_mask(native(a), native(b), _CMP_LT_OQ)); }
 FN mask operator<=(real a, real b) { return mask(_mm512_cmp_ps_mask(native(a), native(b), _CMP_LE_OQ)); }
@@ -94,7 +101,7 @@ FN real floor(real x) {
 }
 FN real abs(real x) { return from_native(_mm512_abs_ps(native(x))); }
 /// -1 in active lanes, 0 in others: the form in which traversals want it.
-FN vint lane_ints(mask m) { return std::bit_cast<vint>(_mm512_movm_epi32(m.m)); }
+FN vint lane_ints(mask m) { return bits_as<vint>(_mm512_movm_epi32(m.m)); }
 FN real gather_lanes(const float* first, std::size_t stride_words, word i) {
     return from_native(_mm512_i32gather_ps(native(i * word(static_cast<uint>(stride_words))), first, 4));
 }
@@ -104,11 +111,11 @@ FN word gather_lanes(const uint* first, std::size_t stride_words, word i) {
 
 #else
 
-FN mask operator<(real a, real b) { return mask(std::bit_cast<vint>(a.v < b.v)); }
-FN mask operator<=(real a, real b) { return mask(std::bit_cast<vint>(a.v <= b.v)); }
-FN mask operator==(word a, word b) { return mask(std::bit_cast<vint>(a.v == b.v)); }
-FN mask operator!=(word a, word b) { return mask(std::bit_cast<vint>(a.v != b.v)); }
-FN mask operator<(word a, word b) { return mask(std::bit_cast<vint>(a.v < b.v)); }
+FN mask operator<(real a, real b) { return mask(bits_as<vint>(a.v < b.v)); }
+FN mask operator<=(real a, real b) { return mask(bits_as<vint>(a.v <= b.v)); }
+FN mask operator==(word a, word b) { return mask(bits_as<vint>(a.v == b.v)); }
+FN mask operator!=(word a, word b) { return mask(bits_as<vint>(a.v != b.v)); }
+FN mask operator<(word a, word b) { return mask(bits_as<vint>(a.v < b.v)); }
 FN mask mask_and(mask a, mask b) { return mask(a.m & b.m); }
 FN mask mask_or(mask a, mask b) { return mask(a.m | b.m); }
 FN mask mask_not(mask a) { return mask(~a.m); }
@@ -116,30 +123,28 @@ FN vint lane_ints(mask m) { return m.m; }
 FN real abs(real x) { return as_real(as_word(x) & word(0x7fffffffu)); }
 
 #if SUNDOG_KERNEL_LANES == 8
-FN unsigned lane_bits(mask m) { return static_cast<unsigned>(_mm256_movemask_ps(std::bit_cast<__m256>(m.m))); }
+FN unsigned lane_bits(mask m) { return static_cast<unsigned>(_mm256_movemask_ps(bits_as<__m256>(m.m))); }
 FN real select(mask m, real a, real b) {
-    return real(std::bit_cast<vfloat>(
-        _mm256_blendv_ps(std::bit_cast<__m256>(b.v), std::bit_cast<__m256>(a.v), std::bit_cast<__m256>(m.m))));
+    return real(bits_as<vfloat>(_mm256_blendv_ps(bits_as<__m256>(b.v), bits_as<__m256>(a.v), bits_as<__m256>(m.m))));
 }
-FN real sqrt(real x) { return real(std::bit_cast<vfloat>(_mm256_sqrt_ps(std::bit_cast<__m256>(x.v)))); }
-FN real floor(real x) { return real(std::bit_cast<vfloat>(_mm256_floor_ps(std::bit_cast<__m256>(x.v)))); }
+FN real sqrt(real x) { return real(bits_as<vfloat>(_mm256_sqrt_ps(bits_as<__m256>(x.v)))); }
+FN real floor(real x) { return real(bits_as<vfloat>(_mm256_floor_ps(bits_as<__m256>(x.v)))); }
 FN real gather_lanes(const float* first, std::size_t stride_words, word i) {
     const word offset = i * word(static_cast<uint>(stride_words));
-    return real(std::bit_cast<vfloat>(_mm256_i32gather_ps(first, std::bit_cast<__m256i>(offset.v), 4)));
+    return real(bits_as<vfloat>(_mm256_i32gather_ps(first, bits_as<__m256i>(offset.v), 4)));
 }
 FN word gather_lanes(const uint* first, std::size_t stride_words, word i) {
     const word offset = i * word(static_cast<uint>(stride_words));
-    return word(std::bit_cast<vuint>(
-        _mm256_i32gather_epi32(reinterpret_cast<const int*>(first), std::bit_cast<__m256i>(offset.v), 4)));
+    return word(
+        bits_as<vuint>(_mm256_i32gather_epi32(reinterpret_cast<const int*>(first), bits_as<__m256i>(offset.v), 4)));
 }
 #else
-FN unsigned lane_bits(mask m) { return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(m.m))); }
+FN unsigned lane_bits(mask m) { return static_cast<unsigned>(_mm_movemask_ps(bits_as<__m128>(m.m))); }
 FN real select(mask m, real a, real b) {
-    return real(std::bit_cast<vfloat>(
-        _mm_blendv_ps(std::bit_cast<__m128>(b.v), std::bit_cast<__m128>(a.v), std::bit_cast<__m128>(m.m))));
+    return real(bits_as<vfloat>(_mm_blendv_ps(bits_as<__m128>(b.v), bits_as<__m128>(a.v), bits_as<__m128>(m.m))));
 }
-FN real sqrt(real x) { return real(std::bit_cast<vfloat>(_mm_sqrt_ps(std::bit_cast<__m128>(x.v)))); }
-FN real floor(real x) { return real(std::bit_cast<vfloat>(_mm_floor_ps(std::bit_cast<__m128>(x.v)))); }
+FN real sqrt(real x) { return real(bits_as<vfloat>(_mm_sqrt_ps(bits_as<__m128>(x.v)))); }
+FN real floor(real x) { return real(bits_as<vfloat>(_mm_floor_ps(bits_as<__m128>(x.v)))); }
 FN real gather_lanes(const float* first, std::size_t stride_words, word i) {
     vfloat v{};
     for (int lane = 0; lane < kLanes; ++lane) v[lane] = first[stride_words * i.v[lane]];

@@ -14,20 +14,20 @@ template <class T>
 struct Vec2T {
     T x, y;
     Vec2T() = default;
-    constexpr Vec2T(T x_, T y_) : x(x_), y(y_) {}
-    constexpr explicit Vec2T(T s) : x(s), y(s) {}
+    [[gnu::always_inline]] constexpr Vec2T(T x_, T y_) : x(x_), y(y_) {}
+    [[gnu::always_inline]] constexpr explicit Vec2T(T s) : x(s), y(s) {}
     template <std::convertible_to<T> U>
-    constexpr Vec2T(const Vec2T<U>& v) : x(v.x), y(v.y) {}
+    [[gnu::always_inline]] constexpr Vec2T(const Vec2T<U>& v) : x(v.x), y(v.y) {}
 };
 
 template <class T>
 struct Vec3T {
     T x, y, z;
     Vec3T() = default;
-    constexpr Vec3T(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
-    constexpr explicit Vec3T(T s) : x(s), y(s), z(s) {}
+    [[gnu::always_inline]] constexpr Vec3T(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
+    [[gnu::always_inline]] constexpr explicit Vec3T(T s) : x(s), y(s), z(s) {}
     template <std::convertible_to<T> U>
-    constexpr Vec3T(const Vec3T<U>& v) : x(v.x), y(v.y), z(v.z) {}
+    [[gnu::always_inline]] constexpr Vec3T(const Vec3T<U>& v) : x(v.x), y(v.y), z(v.z) {}
 };
 
 using vec2 = Vec2T<float>;

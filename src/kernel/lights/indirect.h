@@ -55,7 +55,7 @@ FN real load_lanes(const IndirectQuery::Lanes& place) {
 
 /// The matt light that the lanes of `found` send back of what other surfaces send them; black in other lanes.
 /// `smooth_normal` is the surface's before patterns bent it; `weight` is what counts of the answer.
-inline real3 indirect_light(SCENE Surface s, real3 smooth_normal, Lobes lobes, real3 weight, mask found) {
+inline real3 indirect_light(SCENE LARGE(Surface) s, real3 smooth_normal, LARGE(Lobes) lobes, real3 weight, mask found) {
     real3 black = real3(real(0.0f));
     real3 share = weight * lobes.albedo;
     mask wanted = mask_and(found, largest(share) > real(0.0f));

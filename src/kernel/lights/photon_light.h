@@ -26,8 +26,8 @@ FN real3 photon_source(const PhotonQuery& query) {
 
 /// Adds what photons do that arrive on one side of the surfaces of `wanted`: as povray's pictures show, they light by
 /// all of the finish, highlights too, like a light that stands where they came from.
-inline void add_photons(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, real3 to_eye, real3 side, mask behind,
-                        mask wanted, INOUT(real3) base, INOUT(real3) highlight) {
+inline void add_photons(SCENE LARGE(Surface) s, LARGE(Lobes) lobes, LARGE(LayerColors) layered, real3 to_eye,
+                        real3 side, mask behind, mask wanted, INOUT(real3) base, INOUT(real3) highlight) {
     if (!any_lane(wanted)) return;
     PhotonQuery query;
     set_photon_query(s.position, wanted, query);
@@ -50,8 +50,8 @@ inline void add_photons(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered
 }
 
 /// Adds the light of photons to what direct_light() says of the surfaces of `alive`.
-inline void photon_light(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, real3 to_eye, mask alive,
-                         INOUT(real3) base, INOUT(real3) highlight) {
+inline void photon_light(SCENE LARGE(Surface) s, LARGE(Lobes) lobes, LARGE(LayerColors) layered, real3 to_eye,
+                         mask alive, INOUT(real3) base, INOUT(real3) highlight) {
     mask collects = (FIELD(geometries, s.geometry, photons) & word(PHOTONS_COLLECT)) != word(0u);
     mask wanted = mask_and(alive, collects);
     mask nowhere = mask_and(alive, mask_not(alive));
