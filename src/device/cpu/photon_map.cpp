@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace sundog::cpu {
@@ -21,8 +22,16 @@ constexpr std::size_t kMostLevels = 40;
 constexpr float kLeastAlike = 0.5F;
 /// Of how many photons the surroundings are looked at.
 constexpr std::size_t kSamples = 256;
+constexpr std::uint32_t kNone = 0xffffffffU;
 
 float squared(float x) { return x * x; }
+
+/// A photon that was found: ordered by the square of its distance, and then by its number. (The bits of floats from 0
+/// up are ordered as they are.)
+std::uint64_t key_of(float distance, std::size_t photon) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(distance)} << 32U | photon;
+}
+float distance_of(std::uint64_t key) { return std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32U)); }
 
 }  // namespace
 
@@ -30,6 +39,13 @@ PhotonMap::PhotonMap(std::vector<StoredPhoton> photons) : photons_(std::move(pho
     while (photons_.size() > kLeaf << levels_) ++levels_;
     nodes_.resize((std::size_t{1} << levels_) - 1);
     build(0, 0, photons_.size(), 0);
+    for (std::vector<float>* axis : {&places_.x, &places_.y, &places_.z}) axis->reserve(photons_.size() + kLeaf);
+    for (const StoredPhoton& photon : photons_) {
+        places_.x.push_back(photon.position.x);
+        places_.y.push_back(photon.position.y);
+        places_.z.push_back(photon.position.z);
+    }
+    for (std::vector<float>* axis : {&places_.x, &places_.y, &places_.z}) axis->resize(photons_.size() + kLeaf);
 }
 
 void PhotonMap::build(std::size_t node, std::size_t begin, std::size_t end, std::size_t level) {
@@ -59,51 +75,71 @@ void PhotonMap::build(std::size_t node, std::size_t begin, std::size_t end, std:
 void PhotonMap::collect(const Search& search, float radius, Scratch& scratch) const {
     struct Waiting {
         std::size_t node, begin, end, level;
-        float distance;  ///< Squared, at least.
+        std::array<float, 3> off;  ///< Squared along each axis: how far away the box of the node is at least.
+        float distance;            ///< Squared, at least.
     };
-    std::vector<Scratch::Candidate>& found = scratch.candidates;
+    std::vector<std::uint64_t>& found = scratch.candidates;
     found.clear();
     const bool flat = !(search.normal == Vec3{});
+    const float flattening = flat ? kFlattening : 0;
+    const Vec3 p = search.point, n = search.normal;
     const auto most = static_cast<std::size_t>(search.most);
-    const auto nearer = [](const Scratch::Candidate& a, const Scratch::Candidate& b) {
-        return a.distance < b.distance || (a.distance == b.distance && a.photon < b.photon);
-    };
     const auto keep_nearest = [&] {
         if (found.size() <= most) return;
-        std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(most - 1), found.end(), nearer);
+        std::nth_element(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(most - 1), found.end());
         found.resize(most);
     };
+    // What lies `off` beyond a plane across an axis is at least so many times off^2 away: the least of
+    // d^2 + k (d n)^2 on that plane, a hair less for what is rounded.
+    const auto stretched = [&](float along) {
+        return 0.9999F / (1 - flattening / (1 + flattening) * std::min(along * along, 1.0F));
+    };
+    const std::array<float, 3> point{p.x, p.y, p.z};
+    const std::array<float, 3> stretch{stretched(n.x), stretched(n.y), stretched(n.z)};
     float limit = radius * radius;
     std::array<Waiting, kMostLevels> waiting;
     std::size_t waiting_count = 0;
-    Waiting at{0, 0, photons_.size(), 0, 0};
+    Waiting at{0, 0, photons_.size(), 0, {}, 0};
     for (;;) {
         while (at.level < levels_) {
             const Node& node = nodes_[at.node];
-            const Vec3& p = search.point;
-            const float off = (node.axis == 0 ? p.x : node.axis == 1 ? p.y : p.z) - node.split;
             const std::size_t middle = at.begin + (at.end - at.begin) / 2;
-            Waiting left{2 * at.node + 1, at.begin, middle, at.level + 1, at.distance};
-            Waiting right{2 * at.node + 2, middle, at.end, at.level + 1, at.distance};
-            Waiting& far = off < 0 ? right : left;
-            far.distance = std::max(at.distance, off * off);
-            if (far.distance <= limit) waiting[waiting_count++] = far;
-            at = off < 0 ? left : right;
-        }
-        for (std::size_t i = at.begin; i < at.end; ++i) {
-            const StoredPhoton& photon = photons_[i];
-            const Vec3 d = photon.position - search.point;
-            float distance = dot(d, d);
-            if (distance > limit) continue;
-            if (flat) {
-                distance += kFlattening * squared(dot(d, search.normal));
-                if (distance > limit || dot(photon.normal, search.normal) < kLeastAlike) continue;
+            const std::size_t left = 2 * at.node + 1;
+            ++at.level;
+            const float off = point[node.axis] - node.split;
+            const float square = off * off;
+            const float sum = at.off[0] + at.off[1] + at.off[2] - at.off[node.axis] + square;
+            const float distance = std::max({at.distance, 0.9999F * sum, square * stretch[node.axis]});
+            const bool is_left = off < 0;
+            if (distance <= limit) {
+                Waiting& far = waiting[waiting_count++];
+                far.node = is_left ? left + 1 : left;
+                far.begin = is_left ? middle : at.begin;
+                far.end = is_left ? at.end : middle;
+                far.level = at.level;
+                far.off = at.off;
+                far.off[node.axis] = square;
+                far.distance = distance;
             }
-            found.push_back({distance, static_cast<std::uint32_t>(i)});
+            at.node = is_left ? left : left + 1;
+            (is_left ? at.end : at.begin) = middle;
+        }
+        std::array<float, kLeaf> distance;
+        for (std::size_t lane = 0; lane < kLeaf; ++lane) {
+            const float x = places_.x[at.begin + lane] - p.x;
+            const float y = places_.y[at.begin + lane] - p.y;
+            const float z = places_.z[at.begin + lane] - p.z;
+            distance[lane] = x * x + y * y + z * z + flattening * squared(x * n.x + y * n.y + z * n.z);
+        }
+        for (std::size_t lane = 0; lane < at.end - at.begin; ++lane) {
+            const std::size_t i = at.begin + lane;
+            if (distance[lane] > limit) continue;
+            if (flat && dot(photons_[i].normal, n) < kLeastAlike) continue;
+            found.push_back(key_of(distance[lane], i));
         }
         if (found.size() >= 2 * most) {
             keep_nearest();
-            limit = std::min(limit, std::max_element(found.begin(), found.end(), nearer)->distance);
+            limit = std::min(limit, distance_of(found.back()));
         }
         do {
             if (waiting_count == 0) {
@@ -130,21 +166,26 @@ PhotonMap::Found PhotonMap::find(const Search& search, Scratch& scratch) const {
         }
     }
     if (!done) collect(search, search.radius, scratch);
-    std::vector<Scratch::Candidate>& found = scratch.candidates;
+    const std::vector<std::uint64_t>& found = scratch.candidates;
     out.count = static_cast<int>(found.size());
     const bool full = found.size() >= most;
-    float last = 0;
-    for (const Scratch::Candidate& c : found) last = std::max(last, c.distance);
+    const float last = found.empty() ? 0 : distance_of(*std::max_element(found.begin(), found.end()));
     if (full) out.radius = std::sqrt(last);
     scratch.last_point = search.point;
     scratch.last_radius = full ? out.radius : -1;
     // By their numbers, so that the sum's bits don't depend on where the search started.
-    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.photon < b.photon; });
-    bool halved = false;
-    for (const Scratch::Candidate& c : found) {
-        const StoredPhoton& photon = photons_[c.photon];
-        const bool half = full && !halved && c.distance == last && found.size() > 1;
-        halved = halved || half;
+    std::vector<std::uint32_t>& photons = scratch.photons;
+    photons.clear();
+    std::uint32_t halved = kNone;
+    for (const std::uint64_t key : found) {
+        const auto number = static_cast<std::uint32_t>(key);
+        photons.push_back(number);
+        if (full && distance_of(key) == last && found.size() > 1) halved = std::min(halved, number);
+    }
+    std::sort(photons.begin(), photons.end());
+    for (const std::uint32_t number : photons) {
+        const StoredPhoton& photon = photons_[number];
+        const bool half = number == halved;
         out.power = out.power + photon.power * (half ? 0.5F : 1.0F);
         const Vec3& p = photon.power;
         out.toward = out.toward - photon.direction * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
@@ -160,8 +201,8 @@ float PhotonMap::typical_radius(int most) const {
     for (std::size_t i = 0; i < samples; ++i) {
         const StoredPhoton& photon = photons_[i * photons_.size() / samples];
         collect({photon.position, {}, most, 0}, 1e18F, scratch);
-        float last = 0;
-        for (const Scratch::Candidate& c : scratch.candidates) last = std::max(last, c.distance);
+        const auto& found = scratch.candidates;
+        const float last = found.empty() ? 0 : distance_of(*std::max_element(found.begin(), found.end()));
         radii.push_back(std::sqrt(last));
     }
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());

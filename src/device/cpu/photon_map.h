@@ -33,11 +33,8 @@ public:
     /// it.
     class Scratch {
         friend class PhotonMap;
-        struct Candidate {
-            float distance = 0;  ///< Squared.
-            std::uint32_t photon = 0;
-        };
-        std::vector<Candidate> candidates;
+        std::vector<std::uint64_t> candidates;  ///< What of photons is found: keys (photon_map.cpp).
+        std::vector<std::uint32_t> photons;     ///< Their numbers, in order.
         Vec3 last_point;
         float last_radius = -1;  ///< Under 0: none.
     };
@@ -59,7 +56,14 @@ private:
     void build(std::size_t node, std::size_t begin, std::size_t end, std::size_t level);
     void collect(const Search& search, float radius, Scratch& scratch) const;
 
+    /// Where photons are, axis by axis: a leaf's distances are computed together. As many again as a leaf has lie
+    /// behind the last ones, and mean nothing.
+    struct Places {
+        std::vector<float> x, y, z;
+    };
+
     std::vector<StoredPhoton> photons_;  ///< In the leaves' order.
+    Places places_;                      ///< Of photons_.
     std::vector<Node> nodes_;            ///< A complete tree: children of node i are 2 i + 1 and 2 i + 2.
     std::size_t levels_ = 0;
 };
