@@ -12,7 +12,7 @@ namespace sundog::cpu {
 namespace {
 
 /// Photons of a leaf, at most.
-constexpr std::size_t kLeaf = 8;
+constexpr std::size_t kLeaf = 32;
 /// Fewer are sorted by one thread.
 constexpr std::size_t kSerial = 8192;
 /// Photons off a surface's plane: further squares of the distance from it that count.
