@@ -25,7 +25,9 @@ public:
           exponent_(j.exponent[0], j.exponent[1]),
           parameter_pair_(FourNumber{j.parameter}),
           finest_(0.125 / std::max(j.precision, 1.0)),
-          coarsest_(j.hypercomplex ? std::max(1 / std::max(j.precision, 1.0), 0.02) : 0.25) {
+          coarsest_(j.hypercomplex && j.function != scene::JuliaFractal::Function::sqr
+                        ? std::max(1 / std::max(j.precision, 1.0), 0.02)
+                        : 0.25) {
         for (double level = std::log(kEscape); levels_.size() <= static_cast<std::size_t>(iterations_);
              level /= j.function == scene::JuliaFractal::Function::cube ? 3 : 2)
             levels_.push_back(level);
@@ -54,6 +56,8 @@ private:
     struct Probe {
         bool inside = false;
         double step = 0;  ///< How far the surface is, about.
+        double excess =
+            0;  ///< About ln|h(last)| - ln 4, which is 0 on the surface; 0 everywhere where that isn't known.
     };
 
     /// The point of the slice above p.
@@ -107,10 +111,8 @@ private:
         const bool inside = size <= kEscape * kEscape;
         size = std::sqrt(size);
         const double slope = std::sqrt(squared_slope);
-        if (inside) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_};
-        // By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
-        const double potential = std::log(size);
-        return {false, size * (potential - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
+        if (inside) return {true, slope > 0 ? (kEscape - size) / slope : coarsest_, excess_inside(size)};
+        return outside_by_potential(size, slope, n);
     }
 
     [[nodiscard]] Probe hypercomplex_probe(Vec3d p) const {
@@ -158,10 +160,18 @@ private:
         const bool inside = 0.5 * (u + v) <= kEscape * kEscape;
         const double size = std::sqrt(0.5 * (u + v));
         const double slope = std::sqrt(squared_slope);
-        if (inside) return {true, (kEscape - size) / slope};
-        // By the potential, as in quaternion_probe().
-        return {false, size * (std::log(size) - levels_[static_cast<std::size_t>(iterations_ - n)]) / slope};
+        if (inside) return {true, (kEscape - size) / slope, excess_inside(size)};
+        return outside_by_potential(size, slope, n);
     }
+
+    /// By the potential ln|h(n)| / 2^n, which on the surface is about ln 4 / 2^last.
+    [[nodiscard]] Probe outside_by_potential(double size, double slope, int n) const {
+        const double level = levels_[static_cast<std::size_t>(iterations_ - n)];
+        const double over = std::log(size) - level;
+        return {false, size * over / slope, over * (levels_[0] / level)};
+    }
+    /// A line near ln(size / 4) that costs less than the logarithm, and ends.
+    static double excess_inside(double size) { return size / kEscape - 1; }
 
     /// The slope of |h|^2 at the iteration that comes nearest to the surface.
     [[nodiscard]] Vec3d quaternion_slope(Vec3d p) const {
@@ -240,7 +250,7 @@ private:
             if (!(next > t)) break;
             const Probe there = probe(ray.at(next));
             if (there.inside != here.inside) {
-                const double place = change_between(ray, t, next, here.inside);
+                const double place = change_between(ray, t, here, next, there);
                 if (range.contains(place)) out.push_back({place});
                 if (only_first && !out.empty()) return starts_inside;
             }
@@ -252,12 +262,28 @@ private:
         if (was_inside && middle + half <= range.upper && range.contains(middle + half)) out.push_back({middle + half});
         return starts_inside;
     }
-    [[nodiscard]] double change_between(const Ray& ray, double a, double b, bool a_inside) const {
+    /// Where the inside begins or ends between two places.
+    [[nodiscard]] double change_between(const Ray& ray, double a, const Probe& at_a, double b,
+                                        const Probe& at_b) const {
+        double fa = at_a.excess, fb = at_b.excess;
         // To what single precision can tell apart.
-        while (b - a > 1e-10 * std::max(std::abs(a), std::abs(b))) {
-            const double t = 0.5 * (a + b);
-            if (!(t > a && t < b)) break;
-            (probe(ray.at(t)).inside == a_inside ? a : b) = t;
+        for (int i = 0; b - a > 1e-10 * std::max(std::abs(a), std::abs(b)); ++i) {
+            const double middle = 0.5 * (a + b);
+            if (!(middle > a && middle < b)) break;
+            // Regula falsi by Illinois's rule (Dowell and Jarratt 1971), a little beyond the guess so that both ends
+            // draw near; every third step halves.
+            double t = a - fa * (b - a) / (fb - fa);
+            const double beyond = 1e-11 * std::max(std::abs(a), std::abs(b));
+            t += std::abs(fa) < std::abs(fb) ? beyond : -beyond;
+            if (i % 3 == 2 || !(t > a && t < b)) t = middle;
+            const Probe there = probe(ray.at(t));
+            if (there.inside == at_a.inside) {
+                a = t, fa = there.excess;
+                fb *= 0.5;
+            } else {
+                b = t, fb = there.excess;
+                fa *= 0.5;
+            }
         }
         return b;
     }
