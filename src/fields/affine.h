@@ -44,7 +44,7 @@ double slope_sum(const Affine<N>& a) {
 
 /// Makes interval and linear form agree: each is cut by the other.
 template <std::size_t N>
-Affine<N> settled(Affine<N> a) {
+[[gnu::always_inline]] inline Affine<N> settled(Affine<N> a) {
     if (!(a.lower >= -kInfinite)) a.lower = -kInfinite;
     if (!(a.upper <= kInfinite)) a.upper = kInfinite;
     const double reach = (slope_sum(a) + a.error) * (1 + 4 * kRounding);
@@ -66,7 +66,7 @@ Affine<N> settled(Affine<N> a) {
 }
 
 template <std::size_t N>
-Affine<N> exactly(double v) {
+[[gnu::always_inline]] inline Affine<N> exactly(double v) {
     Affine<N> a;
     a.lower = a.upper = a.centre = v;
     return a;
@@ -94,7 +94,8 @@ Affine<N> input_range(std::size_t i, double lower, double upper) {
 
 /// line*a + offset, give or take `error`; its interval is [lower, upper].
 template <std::size_t N>
-Affine<N> line_of(const Affine<N>& a, double line, double offset, double error, double lower, double upper) {
+[[gnu::always_inline]] inline Affine<N> line_of(const Affine<N>& a, double line, double offset, double error,
+                                                double lower, double upper) {
     Affine<N> out;
     out.lower = lower, out.upper = upper;
     const double product = line * a.centre;
@@ -113,8 +114,8 @@ Affine<N> line_of(const Affine<N>& a, double line, double offset, double error, 
 /// A function of a that is f_lower and f_upper at the ends of its interval, and in between at most `under` below and
 /// `over` above the line between them. [lower, upper] is its range.
 template <std::size_t N>
-Affine<N> chord_of(const Affine<N>& a, double f_lower, double f_upper, double under, double over, double lower,
-                   double upper) {
+[[gnu::always_inline]] inline Affine<N> chord_of(const Affine<N>& a, double f_lower, double f_upper, double under,
+                                                 double over, double lower, double upper) {
     const double width = a.upper - a.lower;
     const double line = width > 0 ? (f_upper - f_lower) / width : 0;
     if (!(width < kInfinite) || !(std::fabs(line) < kInfinite)) return anywhere<N>(lower, upper);
@@ -124,7 +125,7 @@ Affine<N> chord_of(const Affine<N>& a, double f_lower, double f_upper, double un
 }
 
 template <std::size_t N>
-Affine<N> negated(const Affine<N>& a) {
+[[gnu::always_inline]] inline Affine<N> negated(const Affine<N>& a) {
     Affine<N> out;
     out.lower = -a.upper, out.upper = -a.lower;
     out.centre = -a.centre;
@@ -134,7 +135,7 @@ Affine<N> negated(const Affine<N>& a) {
 }
 
 template <std::size_t N>
-Affine<N> sum_of(const Affine<N>& a, const Affine<N>& b) {
+[[gnu::always_inline]] inline Affine<N> sum_of(const Affine<N>& a, const Affine<N>& b) {
     Affine<N> out;
     out.lower = below(a.lower + b.lower), out.upper = above(a.upper + b.upper);
     // Rounding changes no sign: the root of a sum of squares has a value.

@@ -289,15 +289,18 @@ struct AffineMath {
         }
         return *out;
     }
-    void pigment(std::uint32_t index, const Value& x, const Value& y, const Value& z, Value* out) const {
-        // Where it can't change quickly, its colour in the middle says more than the range of all that it can be.
-        const Vec3d half{0.5 * (x.upper - x.lower), 0.5 * (y.upper - y.lower), 0.5 * (z.upper - z.lower)};
+    [[gnu::noinline]] void pigment(std::uint32_t index, const Value& x, const Value& y, const Value& z,
+                                   Value* out) const {
+        // Where it can't change quickly, its colour in the middle says more than the range of all that it can be. (The
+        // middle of the form, not of the interval: places that are asked for by themselves are the same to the bit.)
+        const auto middle_of = [](const Value& a) { return std::clamp(a.centre, a.lower, a.upper); };
+        const Vec3d at{middle_of(x), middle_of(y), middle_of(z)};
+        const auto half_of = [](const Value& a, double c) { return std::max(a.upper - c, c - a.lower); };
+        const Vec3d half{half_of(x, at.x), half_of(y, at.y), half_of(z, at.z)};
         const double reach = pigments->slope_limit(index) * length(half) * (1 + 1e-9) + 1e-5;
         std::array<double, 5> middle{};
         const bool known = reach < 1;
-        if (known)
-            middle =
-                pigments->color(index, 0.5 * (x.lower + x.upper), 0.5 * (y.lower + y.upper), 0.5 * (z.lower + z.upper));
+        if (known) middle = pigments->color(index, at.x, at.y, at.z);
         for (std::uint8_t i = 0; i < 5; ++i) {
             std::array<double, 2> range = pigments->range(index, i);
             if (known) range = {std::max(range[0], middle[i] - reach), std::min(range[1], middle[i] + reach)};

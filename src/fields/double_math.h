@@ -28,6 +28,31 @@ public:
     [[nodiscard]] virtual double slope_limit(std::uint32_t index) const = 0;
 };
 
+/// Remembers the last colours that were asked for: bounds and values of one place ask for the same.
+class PigmentMemo final : public PigmentSource {
+public:
+    explicit PigmentMemo(const PigmentSource* source) : source_(source) {}
+    [[nodiscard]] std::array<double, 5> color(std::uint32_t index, double x, double y, double z) const override {
+        Entry& e = entries_[index % kEntries];
+        if (e.index != index || e.x != x || e.y != y || e.z != z) e = {index, x, y, z, source_->color(index, x, y, z)};
+        return e.color;
+    }
+    [[nodiscard]] std::array<double, 2> range(std::uint32_t index, std::uint8_t component) const override {
+        return source_->range(index, component);
+    }
+    [[nodiscard]] double slope_limit(std::uint32_t index) const override { return source_->slope_limit(index); }
+
+private:
+    struct Entry {
+        std::uint32_t index = 0xffffffffU;
+        double x, y, z;
+        std::array<double, 5> color;
+    };
+    static constexpr std::size_t kEntries = 4;
+    const PigmentSource* source_;
+    mutable std::array<Entry, kEntries> entries_;
+};
+
 struct DoubleMath {
     using Value = double;
     const PigmentSource* pigments = nullptr;

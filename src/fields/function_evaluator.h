@@ -63,8 +63,10 @@ private:
 /// Values of a function of doubles, point by point.
 class PointEvaluation {
 public:
-    explicit PointEvaluation(const FunctionEvaluator& f, NoiseCells& cells)
-        : f_(f.function()), math_{f.pigments(), &cells}, registers_(f_) {}
+    explicit PointEvaluation(const FunctionEvaluator& f, NoiseCells& cells) : PointEvaluation(f, cells, f.pigments()) {}
+    /// With a memory of colours between the function and its pigments.
+    PointEvaluation(const FunctionEvaluator& f, NoiseCells& cells, const PigmentSource* pigments)
+        : f_(f.function()), math_{pigments, &cells}, registers_(f_) {}
     /// Runs the function; output() tells what came out. False where it takes too long.
     bool run(std::span<const double> inputs, std::uint64_t& budget) {
         for (std::size_t i = 0; i < f_.input_count; ++i) registers_.set_input(i, inputs[i]);
@@ -111,8 +113,10 @@ private:
 template <std::size_t N>
 class RangeEvaluation {
 public:
-    explicit RangeEvaluation(const FunctionEvaluator& f, NoiseCells& cells)
-        : f_(f.function()), math_{f.pigments(), &cells, &undefined_}, registers_(f_) {}
+    explicit RangeEvaluation(const FunctionEvaluator& f, NoiseCells& cells) : RangeEvaluation(f, cells, f.pigments()) {}
+    /// With a memory of colours between the function and its pigments.
+    RangeEvaluation(const FunctionEvaluator& f, NoiseCells& cells, const PigmentSource* pigments)
+        : f_(f.function()), math_{pigments, &cells, &undefined_}, registers_(f_) {}
     RangeEvaluation(const RangeEvaluation&) = delete;
     RangeEvaluation& operator=(const RangeEvaluation&) = delete;
     ~RangeEvaluation() = default;

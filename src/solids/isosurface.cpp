@@ -26,6 +26,8 @@ public:
         // Of functions of pigments only the range of values is known: parts of the ray this short are taken by their
         // ends.
         finest_ = size_ * (s.function->pigments.empty() ? 1e-8 : 1.0 / 500);
+        // To what single precision can tell apart; in it, pigments are computed.
+        exactness_ = s.function->pigments.empty() ? 1e-10 : 1e-8;
         explore();
     }
 
@@ -142,9 +144,13 @@ private:
     /// A ray under way.
     struct March {
         March(const Isosurface& shape, const Ray& ray)
-            : ray(ray), points(shape.function_, cells), ranges(shape.function_, cells) {}
+            : ray(ray),
+              pigments(shape.function_.pigments()),
+              points(shape.function_, cells, &pigments),
+              ranges(shape.function_, cells, &pigments) {}
         const Ray& ray;
         fields::NoiseCells cells;
+        fields::PigmentMemo pigments;
         fields::PointEvaluation points;
         fields::RangeEvaluation<1> ranges;
         int budget = 2000;  ///< Bounds that may be asked for; after that, parts are taken by their ends.
@@ -177,14 +183,17 @@ private:
         bool a_inside, b_inside;
     };
 
-    /// The place of a change between two places, to the last bits.
+    /// The place of a change between two places, as exactly as the function is known.
     [[nodiscard]] double refined(March& march, Part part) const {
         double fa = march.value(part.a) - s_.threshold, fb = march.value(part.b) - s_.threshold;
-        for (int i = 0; i < 100; ++i) {
+        const double enough = exactness_ * size_ / length(march.ray.direction);
+        for (int i = 0; i < 100 && part.b - part.a > enough; ++i) {
             const double width = part.b - part.a, middle = 0.5 * (part.a + part.b);
             if (!(middle > part.a && middle < part.b)) break;
-            // Regula falsi by Illinois's rule (Dowell and Jarratt 1971); every third step halves.
+            // Regula falsi by Illinois's rule (Dowell and Jarratt 1971), a little beyond the guess so that both ends
+            // draw near; every third step halves.
             double t = part.a - fa * width / (fb - fa);
+            t += std::abs(fa) < std::abs(fb) ? 0.4 * enough : -0.4 * enough;
             if (i % 3 == 2 || !(t > part.a && t < part.b)) t = middle;
             const double f = march.value(t) - s_.threshold;
             if (f == 0) return t;
@@ -284,6 +293,7 @@ private:
     fields::FunctionEvaluator function_;
     Bounds3d box_, reach_;
     double size_ = 1, finest_ = 1e-8;
+    double exactness_ = 1e-10;     ///< Of places, as a share of the size.
     std::vector<Bounds3d> boxes_;  ///< Where the surface may be.
     BoundsTree tree_;
 };
