@@ -41,17 +41,17 @@ PixelRect rect_of(const std::array<Vec3, 8>& corners, const EyeView& view) {
 }  // namespace
 
 TracedThings::TracedThings(const RenderScene& scene) {
+    std::vector<const PlacedSolid*> solid_of(scene.geometries.size());
+    for (const PlacedSolid& solid : scene.solids) solid_of[solid.geometry] = &solid;
     for (std::uint32_t i = 0; i < scene.geometries.size(); ++i) {
         const kernel::Geometry& g = scene.geometries[i];
         const bool rasterised = g.kind == kernel::GEOMETRY_TRIANGLES && g.instance == kernel::NONE;
         if (g.primitive_count == 0 || g.kind == kernel::GEOMETRY_PLANE || rasterised) continue;
         if (g.kind == kernel::GEOMETRY_SOLID) {
-            const auto solid = std::find_if(scene.solids.begin(), scene.solids.end(),
-                                            [i](const PlacedSolid& s) { return s.geometry == i; });
             const Bounds3 all{{-accel::kFarthest, -accel::kFarthest, -accel::kFarthest},
                               {accel::kFarthest, accel::kFarthest, accel::kFarthest}};
             things_.push_back(
-                {solid == scene.solids.end() ? all : accel::roomy(accel::bounds_of_solid(*solid->solid)), g.instance});
+                {solid_of[i] == nullptr ? all : accel::roomy(accel::bounds_of_solid(*solid_of[i]->solid)), g.instance});
             continue;
         }
         // What moves as one is traced as one; spheres and boxes stand for themselves.
