@@ -8,7 +8,10 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "base/vec3d.h"
 #include "fields/noise.h"
 #include "scene/function.h"
 
@@ -22,6 +25,13 @@ public:
     PigmentSource& operator=(const PigmentSource&) = delete;
     virtual ~PigmentSource() = default;
     [[nodiscard]] virtual std::array<double, 5> color(std::uint32_t index, double x, double y, double z) const = 0;
+    /// The same of many points.
+    [[nodiscard]] virtual std::vector<std::array<double, 5>> colors(std::uint32_t index,
+                                                                    std::span<const Vec3d> points) const {
+        std::vector<std::array<double, 5>> all;
+        for (const Vec3d& p : points) all.push_back(color(index, p.x, p.y, p.z));
+        return all;
+    }
     /// The least and the most that a component can be anywhere.
     [[nodiscard]] virtual std::array<double, 2> range(std::uint32_t index, std::uint8_t component) const = 0;
     /// The most that a component changes over a distance of 1; infinite where that isn't known.

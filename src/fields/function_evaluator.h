@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -84,6 +85,41 @@ private:
     const scene::Function& f_;
     DoubleMath math_;
     Registers<DoubleMath> registers_;
+};
+
+/// Values of a function of three inputs at many points, in order: colours of the pigments that it asks for at the point
+/// itself are computed together, ahead.
+class PointsEvaluation {
+public:
+    PointsEvaluation(const FunctionEvaluator& f, std::span<const Vec3d> points);
+    PointsEvaluation(const PointsEvaluation&) = delete;
+    PointsEvaluation& operator=(const PointsEvaluation&) = delete;
+    ~PointsEvaluation() = default;
+    /// The first output at the next point; counts `budget` down, and is nothing where that is at an end.
+    std::optional<double> next(std::uint64_t& budget);
+
+private:
+    /// Answers from what was computed ahead, for the point that is under way.
+    class Ahead final : public PigmentSource {
+    public:
+        Ahead(const FunctionEvaluator& f, std::span<const Vec3d> points);
+        [[nodiscard]] std::array<double, 5> color(std::uint32_t index, double x, double y, double z) const override;
+        [[nodiscard]] std::array<double, 2> range(std::uint32_t index, std::uint8_t component) const override {
+            return source_->range(index, component);
+        }
+        [[nodiscard]] double slope_limit(std::uint32_t index) const override { return source_->slope_limit(index); }
+        std::size_t at = 0;
+
+    private:
+        const PigmentSource* source_;
+        std::span<const Vec3d> points_;
+        std::vector<std::vector<std::array<double, 5>>> colors_;  ///< By pigment and point.
+    };
+
+    std::span<const Vec3d> points_;
+    NoiseCells cells_;
+    Ahead ahead_;
+    PointEvaluation evaluation_;
 };
 
 /// Values and derivatives by the function's first N inputs.

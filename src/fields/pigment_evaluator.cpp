@@ -6,6 +6,7 @@
 
 #include "base/srgb.h"
 #include "fields/pigment_code.h"
+#include "fields/pigment_lanes.h"
 #include "fields/slope_limits.h"
 #include "kernel/patterns/program.h"
 
@@ -43,6 +44,12 @@ void include(Ranges& ranges, const scene::Pigment& pigment) {
                 else include(ranges, entry.color);
             }
     }
+}
+
+/// Far beyond what single precision can tell apart; so that what is no number has a colour, too.
+kernel::vec3 kept(Vec3d p) {
+    const auto kept_one = [](double v) { return static_cast<float>(v > -1e12 ? std::min(v, 1e12) : -1e12); };
+    return {kept_one(p.x), kept_one(p.y), kept_one(p.z)};
 }
 
 }  // namespace
@@ -86,17 +93,33 @@ void PigmentEvaluator::keep_images(const scene::Pigment& pigment, std::span<cons
     texels_.insert(texels_.end(), texture.rgba8.begin(), texture.rgba8.end());
 }
 
-std::array<double, 5> PigmentEvaluator::color(std::uint32_t index, double x, double y, double z) const {
+kernel::SceneView PigmentEvaluator::view() const {
     kernel::SceneView view{};
     view.code = code_.data();
     view.host_fields = &host_;
     view.textures = infos_.data();
     view.texels = texels_.data();
     view.tables = linear_of_srgb8().data();
-    // Far beyond what single precision can tell apart; so that what is no number has a colour, too.
-    const auto kept = [](double v) { return static_cast<float>(v > -1e12 ? std::min(v, 1e12) : -1e12); };
-    const kernel::PigmentColor c = kernel::run_program(view, starts_[index], kernel::real3(kept(x), kept(y), kept(z)));
+    return view;
+}
+
+std::array<double, 5> PigmentEvaluator::color(std::uint32_t index, double x, double y, double z) const {
+    const kernel::vec3 p = kept({x, y, z});
+    const kernel::PigmentColor c = kernel::run_program(view(), starts_[index], kernel::real3(p.x, p.y, p.z));
     return {c.rgb.x, c.rgb.y, c.rgb.z, c.filtered, c.transmitted};
+}
+
+std::vector<std::array<double, 5>> PigmentEvaluator::colors(std::uint32_t index, std::span<const Vec3d> points) const {
+    std::vector<kernel::vec3> places;
+    places.reserve(points.size());
+    for (const Vec3d& p : points) places.push_back(kept(p));
+    std::vector<std::array<float, 5>> found(points.size());
+    const auto run = __builtin_cpu_supports("avx2") ? pigment_colors_8 : pigment_colors_4;
+    run(view(), starts_[index], places, found);
+    std::vector<std::array<double, 5>> colors;
+    colors.reserve(points.size());
+    for (const std::array<float, 5>& c : found) colors.push_back({c[0], c[1], c[2], c[3], c[4]});
+    return colors;
 }
 
 std::array<double, 2> PigmentEvaluator::range(std::uint32_t index, std::uint8_t component) const {

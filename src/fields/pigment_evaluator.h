@@ -7,10 +7,15 @@
 #include <span>
 #include <vector>
 
+#include "base/vec3d.h"
 #include "fields/double_math.h"
 #include "fields/host_fields.h"
 #include "kernel/shared.h"
 #include "scene/scene.h"
+
+namespace sundog::kernel {
+struct SceneView;
+}
 
 namespace sundog::fields {
 
@@ -22,10 +27,13 @@ public:
                      std::span<const scene::Texture> textures);
 
     [[nodiscard]] std::array<double, 5> color(std::uint32_t index, double x, double y, double z) const override;
+    [[nodiscard]] std::vector<std::array<double, 5>> colors(std::uint32_t index,
+                                                            std::span<const Vec3d> points) const override;
     [[nodiscard]] std::array<double, 2> range(std::uint32_t index, std::uint8_t component) const override;
     [[nodiscard]] double slope_limit(std::uint32_t index) const override { return slope_limits_[index]; }
 
 private:
+    [[nodiscard]] kernel::SceneView view() const;
     void keep_images(const scene::Pigment& pigment, std::span<const scene::Texture> textures);
 
     HostFieldTable host_;

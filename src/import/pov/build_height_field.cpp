@@ -67,16 +67,17 @@ NodeShape heights_of_function(ItemReader& items) {
     auto heights = std::make_shared<std::vector<float>>();
     const auto flat = read_functions(context, std::array{function}, 3);
     const fields::FunctionEvaluator evaluator(flat, context.scene.textures);
-    fields::NoiseCells cells;
-    fields::PointEvaluation evaluation(evaluator, cells);
     std::uint64_t budget = context.options.limits.steps;
+    std::vector<Vec3d> row_places(static_cast<std::size_t>(width));
     for (int row = 0; row < height; ++row) {
+        for (int column = 0; column < width; ++column)
+            row_places[static_cast<std::size_t>(column)] = {column / (width - 1.0), row / (height - 1.0), 0};
+        fields::PointsEvaluation evaluation(evaluator, row_places);
         for (int column = 0; column < width; ++column) {
-            const std::array<double, 3> at{column / (width - 1.0), row / (height - 1.0), 0};
-            if (!evaluation.run(at, budget)) items.fail("the limit of steps was hit in a function");
+            const std::optional<double> value = evaluation.next(budget);
+            if (!value) items.fail("the limit of steps was hit in a function");
             // What doesn't fit into a pixel wraps around.
-            const double value = evaluation.output(0);
-            heights->push_back(static_cast<float>(value >= 0 && value <= 1 ? value : value - std::floor(value)));
+            heights->push_back(static_cast<float>(*value >= 0 && *value <= 1 ? *value : *value - std::floor(*value)));
         }
     }
     return scene::HeightField{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), std::move(heights),
