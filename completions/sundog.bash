@@ -17,6 +17,7 @@ _sundog() {
         mapfile -t COMPREPLY < <(compgen -W "embree bvh kdtree octree grid boxes none" -- "$word")
         return
       fi ;;
+    --denoiser) mapfile -t COMPREPLY < <(compgen -W "auto filter oidn" -- "$word"); return ;;
     --show) mapfile -t COMPREPLY < <(compgen -W "cost" -- "$word"); return ;;
     --tone-map) mapfile -t COMPREPLY < <(compgen -W "linear reinhard aces agx gamma" -- "$word"); return ;;
     --camera) mapfile -t COMPREPLY < <(compgen -W "front back left right top bottom iso" -- "$word"); return ;;
@@ -38,7 +39,7 @@ _sundog() {
   case $command in
     render)
       options+=" --variant --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
-      options+=" --time --shutter --shutter-blur --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --clamp --occlusion-distance --aperture --focus --focus-pixel --blades --lens-blur --camera --turntable --pixel --denoise --quiet"
+      options+=" --time --shutter --shutter-blur --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --clamp --occlusion-distance --aperture --focus --focus-pixel --blades --lens-blur --camera --turntable --pixel --denoise --denoiser --quiet"
       files='@(scene|obj|gltf|glb|conf)' ;;
     view) options+=" --variant --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
     info) options+=" --variant --devices --all"; files='@(scene|obj|gltf|glb|conf)' ;;

@@ -9,6 +9,7 @@
 #include "cost_picture.h"
 #include "import/import.h"
 #include "loading.h"
+#include "noise.h"
 #include "picture.h"
 #include "usage_error.h"
 
@@ -120,7 +121,8 @@ int render(RenderArguments arguments) {
     // What can be known to fail is found out before the scene is read and
     // rendered.
     if (arguments.frame.width)
-        check_picture_memory({*arguments.frame.width, *arguments.frame.height}, arguments.aovs, arguments.denoise);
+        check_picture_memory({*arguments.frame.width, *arguments.frame.height}, arguments.aovs,
+                             arguments.denoise.has_value());
     const bool layers = arguments.aovs.planes != 0 || arguments.aovs.samples;
     OutputPlan plan;
     if (!arguments.pixel) plan = plan_output(arguments.output, arguments.format, arguments.frames, layers);
@@ -132,13 +134,18 @@ int render(RenderArguments arguments) {
     if (arguments.shown == Shown::rays) arguments.frame.aovs |= kernel::AOV_COST;
     arguments.frame.sampling = arguments.sampling.pixel_sampling();
 
+    // What was asked for and isn't there is better said before the picture than after it.
+    std::optional<denoise::Denoiser> denoiser;
+    if (arguments.denoise) denoiser.emplace(*arguments.denoise);
+
     WarningPrinter warnings;
     const WarningSink warn = warnings.sink();
     scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn, arguments.choices);
     scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     arguments.environment.apply(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
-    check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs, arguments.denoise);
+    check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs,
+                         arguments.denoise.has_value());
     if (arguments.view) {
         const Size size = size_of(make_frame(scene, *compiled, arguments.frame));
         arguments.frame.camera = camera_of(*arguments.view, scene::compass_of(scene), compiled->bounds,
@@ -153,7 +160,7 @@ int render(RenderArguments arguments) {
 
     arguments.blur.check_camera(make_frame(scene, *compiled, arguments.frame));
 
-    const Stage stage{scene, *compiled, session};
+    const Stage stage{scene, *compiled, session, denoiser ? &*denoiser : nullptr};
     if (arguments.pixel) return print_pixel(arguments, stage);
     if (arguments.shown == Shown::cost) return render_cost(arguments, plan, stage);
     if (arguments.shown == Shown::rays && !session.device().can_refine(make_frame(scene, *compiled, arguments.frame)))
@@ -293,7 +300,18 @@ void add_render(CLI::App& program, Action& action) {
             "--pixel", [&a](Text text) { a.pixel = parse_pixel(text); },
             "Print what this pixel sees instead of making a picture")
         ->type_name("X,Y");
-    command->add_flag("--denoise", a.denoise, "Remove the noise of --spp 4 or more, or of --target-error");
+    command->add_flag_callback(
+        "--denoise",
+        [&a] {
+            if (!a.denoise) a.denoise = denoise::Method::automatic;
+        },
+        "Remove the noise of --spp 4 or more, or of --target-error");
+    command
+        ->add_option_function<std::string>(
+            "--denoiser", [&a](Text text) { a.denoise = parse_denoiser(text); },
+            "What does that: oidn (Intel's Open Image Denoise), filter (of our own) or auto (oidn where it is "
+            "installed); implies --denoise")
+        ->type_name("NAME");
     command->add_flag("-q,--quiet", a.quiet, "No progress and no summary");
     command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }

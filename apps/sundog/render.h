@@ -9,6 +9,7 @@
 #include "blur_options.h"
 #include "camera_views.h"
 #include "compile/compile.h"
+#include "denoise/denoiser.h"
 #include "environment_options.h"
 #include "import/import.h"
 #include "light_options.h"
@@ -51,7 +52,7 @@ struct RenderArguments {
     std::optional<Acceleration> acceleration;  ///< If asked for: then on the CPU.
     PrimaryHits primary = PrimaryHits::automatic;
     Shown shown = Shown::picture;
-    bool denoise = false;
+    std::optional<denoise::Method> denoise;  ///< If asked for.
     bool quiet = false;
     FrameOptions frame;  ///< Size, camera and limits; its time and planes are set from the above.
 };
@@ -61,6 +62,7 @@ struct Stage {
     const scene::Scene& scene;
     const RenderScene& compiled;
     Session& session;
+    denoise::Denoiser* denoiser;  ///< Null: pictures keep their noise.
 };
 
 /// The jobs return the exit status. Errors: OutputError, DeviceError.

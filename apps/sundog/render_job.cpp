@@ -149,13 +149,12 @@ PictureAndSummary picture_of(const Frame& frame, const RenderArguments& argument
 }
 
 /// picture_of(), without its noise where that was asked for.
-PictureAndSummary clean_picture_of(const Frame& frame, const RenderArguments& arguments, Session& session,
+PictureAndSummary clean_picture_of(const Frame& frame, const RenderArguments& arguments, const Stage& stage,
                                    const ProgressSink& progress, const StopFlag& stop) {
-    PictureAndSummary picture = picture_of(frame, arguments, session, progress, stop);
+    PictureAndSummary picture = picture_of(frame, arguments, stage.session, progress, stop);
     // Where it was interrupted, some pixels have too few samples to tell their noise.
-    if (!arguments.denoise || picture.result.stopped) return picture;
-    const double seconds = remove_noise(session.device(), frame, stop, picture.result);
-    picture.samples += fmt::format(", denoised in {:.2f} s", seconds);
+    if (!stage.denoiser || picture.result.stopped) return picture;
+    picture.samples += ", " + remove_noise(*stage.denoiser, stage.session.device(), frame, stop, picture.result);
     return picture;
 }
 
@@ -166,11 +165,11 @@ PictureAndSummary shot_of(const Frame& frame, const FrameOptions& options, const
         const ShutterFrames frames = shutter_frames(arguments, options, stage);
         Frame sharp = frames.middle;
         if (arguments.blur.lens) sharp.params.lens_radius = 0;
-        PictureAndSummary picture = clean_picture_of(sharp, arguments, stage.session, progress, stop);
+        PictureAndSummary picture = clean_picture_of(sharp, arguments, stage, progress, stop);
         if (!picture.result.stopped) picture.samples += blur_picture(arguments, frames, stage, stop, picture.result);
         return picture;
     }
-    if (!(arguments.shutter_s > 0)) return clean_picture_of(frame, arguments, stage.session, progress, stop);
+    if (!(arguments.shutter_s > 0)) return clean_picture_of(frame, arguments, stage, progress, stop);
     PictureAndSummary picture{render_open_shutter(arguments, options, stage, progress, stop), {}};
     picture.samples = samples_of(picture.result);
     return picture;
@@ -250,9 +249,10 @@ int render_frames(const RenderArguments& arguments, const OutputPlan& plan, cons
         return kInterrupted;
     }
     if (!arguments.quiet)
-        print_note(fmt::format("wrote {} frame{} to {} ({:.1f} s, {:.1f} frames/s on {})", count, count == 1 ? "" : "s",
-                               name_of_frames(plan, range.first, count), seconds(), count / std::max(seconds(), 1e-9),
-                               stage.session.device().info().name));
+        print_note(fmt::format("wrote {} frame{} to {} ({}{:.1f} s, {:.1f} frames/s on {})", count,
+                               count == 1 ? "" : "s", name_of_frames(plan, range.first, count),
+                               stage.denoiser ? "denoised by " + stage.denoiser->name() + ", " : "", seconds(),
+                               count / std::max(seconds(), 1e-9), stage.session.device().info().name));
     return 0;
 }
 

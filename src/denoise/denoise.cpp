@@ -12,14 +12,6 @@
 namespace sundog::denoise {
 namespace {
 
-void check(const NoisyPicture& p) {
-    const auto pixels = static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height);
-    const auto fits = [&](std::size_t size, bool needed) { return size == pixels || (size == 0 && !needed); };
-    if (p.width <= 0 || p.height <= 0 || !fits(p.radiance.size(), true) || !fits(p.variance.size(), true) ||
-        !fits(p.albedo.size(), false) || !fits(p.normal.size(), false) || !fits(p.depth.size(), false))
-        throw std::invalid_argument("denoised: a plane is not of the picture's size");
-}
-
 /// A tile's light into the picture's.
 void store(const TileLight& light, const Layout& layout, int tile_x, int tile_y, std::vector<Vec3>& out) {
     for (int j = 0; j < kTileSide && tile_y * kTileSide + j < layout.height; ++j)
@@ -32,8 +24,16 @@ void store(const TileLight& light, const Layout& layout, int tile_x, int tile_y,
 
 }  // namespace
 
+void check_planes(const NoisyPicture& p) {
+    const auto pixels = static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height);
+    const auto fits = [&](std::size_t size, bool needed) { return size == pixels || (size == 0 && !needed); };
+    if (p.width <= 0 || p.height <= 0 || !fits(p.radiance.size(), true) || !fits(p.variance.size(), true) ||
+        !fits(p.albedo.size(), false) || !fits(p.normal.size(), false) || !fits(p.depth.size(), false))
+        throw std::invalid_argument("denoised: a plane is not of the picture's size");
+}
+
 std::vector<Vec3> denoised(const NoisyPicture& picture, const StopFlag& stop) {
-    check(picture);
+    check_planes(picture);
     const Layout layout(picture.width, picture.height);
     const std::vector<Vec3> by = divisors(picture);
     const Guides guides = guides_of(picture, layout);

@@ -20,6 +20,9 @@ struct NoisyPicture {
     std::span<const float> depth{};  ///< Distance from the eye; infinite on a miss; may be missing.
 };
 
+/// Errors: std::invalid_argument for planes of another size than the picture's.
+void check_planes(const NoisyPicture& picture);
+
 /// The picture without its noise: where the variance is 0 it stays as it is. Light is divided by albedo, so that
 /// textures stay sharp; weights of the pixels around one are those of non-local means by the variances (Rousselle,
 /// Knaus and Zwicker 2012), limited by normals and depths (Rousselle, Manzi and Zwicker 2013); with them a plane in

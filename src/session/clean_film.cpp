@@ -3,17 +3,15 @@
 
 #include <vector>
 
-#include "denoise/denoise.h"
-
 namespace sundog {
 
 std::optional<Film> cleaned(const Film& film, std::span<const Vec3> variance, const PictureGuides& guides,
-                            const StopFlag& stop) {
+                            denoise::Denoiser& denoiser, const StopFlag& stop) {
     std::vector<Vec3> means;
     means.reserve(film.radiance.size());
     for (int y = film.bounds.y0; y < film.bounds.y1; ++y)
         for (int x = film.bounds.x0; x < film.bounds.x1; ++x) means.push_back(film.mean(x, y));
-    const std::vector<Vec3> clean = denoise::denoised({.width = film.bounds.width(),
+    const std::vector<Vec3> clean = denoiser.denoised({.width = film.bounds.width(),
                                                        .height = film.bounds.height(),
                                                        .radiance = means,
                                                        .variance = variance,

@@ -6,14 +6,14 @@
 #include <span>
 
 #include "base/progress.h"
+#include "denoise/denoiser.h"
 #include "device/film.h"
 #include "session/guides.h"
 
 namespace sundog {
 
-/// A film whose means are denoised (denoise/denoise.h); its pixels keep their weights. `variance`: of its means. None
-/// if it was stopped.
+/// A film whose means are denoised; its pixels keep their weights. `variance`: of its means. None if it was stopped.
 std::optional<Film> cleaned(const Film& film, std::span<const Vec3> variance, const PictureGuides& guides,
-                            const StopFlag& stop);
+                            denoise::Denoiser& denoiser, const StopFlag& stop);
 
 }  // namespace sundog

@@ -9,7 +9,12 @@
 
 namespace sundog::viewer {
 
-void CleanPicture::forget() { *this = {}; }
+void CleanPicture::forget() {
+    errors_.reset();
+    guides_.reset();
+    clean_.reset();
+    samples_ = 0;
+}
 
 void CleanPicture::add_pass(const Film& film) {
     if (!errors_) errors_.emplace(film.bounds, 1);
@@ -25,7 +30,8 @@ bool CleanPicture::clean(Device& device, const Frame& frame, const Film& film, s
         if (stop.requested()) return false;
         guides_ = std::move(guides);
     }
-    std::optional<Film> out = cleaned(film, errors_->variances(), *guides_, stop);
+    if (!denoiser_) denoiser_.emplace(method_);
+    std::optional<Film> out = cleaned(film, errors_->variances(), *guides_, *denoiser_, stop);
     if (!out) return false;
     clean_ = std::move(out);
     samples_ = samples;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "denoise/denoiser.h"
 #include "device/device.h"
 #include "session/guides.h"
 #include "session/pixel_errors.h"
@@ -14,6 +15,7 @@ namespace sundog::viewer {
 /// Keeps account of a film's passes and makes clean films of them.
 class CleanPicture {
 public:
+    explicit CleanPicture(denoise::Method method) : method_(method) {}
     /// The next pass is another picture's first.
     void forget();
     /// The film has got a pass more, of every pixel.
@@ -26,6 +28,8 @@ public:
     [[nodiscard]] std::uint32_t samples() const { return samples_; }
 
 private:
+    denoise::Method method_;
+    std::optional<denoise::Denoiser> denoiser_;  // made when it is first needed
     std::optional<PixelErrors> errors_;
     std::optional<PictureGuides> guides_;
     std::optional<Film> clean_;

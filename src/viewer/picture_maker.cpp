@@ -38,8 +38,9 @@ bool same_radiance(const ViewRequest& a, const ViewRequest& b) {
            same(p.camera, q.camera);
 }
 
-PictureMaker::PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples)
-    : open_device_(std::move(open_device)), max_samples_(max_samples), budget_(target_frame_s) {}
+PictureMaker::PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples,
+                           denoise::Method denoiser)
+    : open_device_(std::move(open_device)), max_samples_(max_samples), budget_(target_frame_s), clean_(denoiser) {}
 
 std::optional<DeviceInfo> PictureMaker::set_request(ViewRequest request) {
     if (!same_radiance(request, request_)) film_is_current_ = false;

@@ -50,8 +50,10 @@ using DeviceOpener = std::function<std::unique_ptr<Device>(const std::string& ch
 /// Renders what is requested: at a reduced size within the frame budget, or at full size, sample after sample.
 class PictureMaker {
 public:
-    /// target_frame_s: for pictures of reduced size. max_samples: a pixel, at full size.
-    PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples);
+    /// target_frame_s: for pictures of reduced size. max_samples: a pixel, at full size. denoiser: what takes the noise
+    /// out where that is requested.
+    PictureMaker(DeviceOpener open_device, double target_frame_s, std::uint32_t max_samples,
+                 denoise::Method denoiser = denoise::Method::automatic);
 
     /// What to render from now on. Opens another device or loads another scene where the request asks for it; then
     /// returns the device. Errors: DeviceError; a device that can't be opened leaves the one before in use, one that

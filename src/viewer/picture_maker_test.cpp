@@ -20,7 +20,8 @@ protected:
     }
     std::shared_ptr<FakeDeviceControl> control_ = std::make_shared<FakeDeviceControl>();
     std::shared_ptr<const LoadedScene> scene_ = empty_scene();
-    PictureMaker maker_{fake_opener(control_), 1.0, kMaxSamples};
+    // What is installed where the test runs must not matter.
+    PictureMaker maker_{fake_opener(control_), 1.0, kMaxSamples, denoise::Method::filter};
     StopFlag stop_;
 };
 

@@ -82,6 +82,8 @@ TEST(Usage, WrongCallsEndWith2AndSayWhatIsRight) {
         {{"render", scene, "-o", "a.png", "--environment-turn", "90"}, "--environment studio.exr"},
         {{"render", "-o", "a.png", "--sky", scene}, "the scene goes before --sky"},
         {{"render", scene, "-o", "a.png", "--denoise"}, "--spp 16"},
+        {{"render", scene, "-o", "a.png", "--denoiser", "filter"}, "--spp 16"},
+        {{"render", scene, "-o", "a.png", "--denoiser", "oidm", "--spp", "16"}, "did you mean 'oidn'"},
         {{"render", scene, "-o", "a.png", "--denoise", "--spp", "3"}, "needs 4 samples"},
         {{"render", scene, "-o", "a.png", "--denoise", "--adaptive", "0.3"}, "leave --preview and --adaptive out"},
         {{"render", scene, "-o", "a.png", "--denoise", "--spp", "9", "--sampler", "regular"}, "leave --sampler out"},
