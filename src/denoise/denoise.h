@@ -20,6 +20,10 @@ struct NoisyPicture {
     std::span<const float> depth{};  ///< Distance from the eye; infinite on a miss; may be missing.
 };
 
+/// What light is divided by where a surface has this albedo: that, or 1 where it says little about what light does
+/// there; between, it fades in.
+Vec3 divisor(Vec3 albedo);
+
 /// Errors: std::invalid_argument for planes of another size than the picture's.
 void check_planes(const NoisyPicture& picture);
 

@@ -58,15 +58,18 @@ float smaller_slope(float back, float ahead) {
 
 }  // namespace
 
+Vec3 divisor(Vec3 albedo) {
+    albedo = finite(albedo);
+    const float share = std::clamp(std::max({albedo.x, albedo.y, albedo.z}) / kLeastAlbedo - 1, 0.0F, 1.0F);
+    Vec3 out;
+    for (std::size_t c = 0; c < 3; ++c) out[c] = 1 + (std::max(albedo[c], kLeastAlbedo) - 1) * share;
+    return out;
+}
+
 std::vector<Vec3> divisors(const NoisyPicture& picture) {
     std::vector<Vec3> out(picture.radiance.size(), {1, 1, 1});
     if (picture.albedo.empty()) return out;
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const Vec3 albedo = finite(picture.albedo[i]);
-        // Little of it says little about what light does there; between, it fades in.
-        const float share = std::clamp(std::max({albedo.x, albedo.y, albedo.z}) / kLeastAlbedo - 1, 0.0F, 1.0F);
-        for (std::size_t c = 0; c < 3; ++c) out[i][c] = 1 + (std::max(albedo[c], kLeastAlbedo) - 1) * share;
-    }
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = divisor(picture.albedo[i]);
     return out;
 }
 

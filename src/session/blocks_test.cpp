@@ -5,13 +5,15 @@
 
 #include <cmath>
 
+#include "denoise/denoise.h"
 #include "session/guides.h"
 #include "session/test_noise.h"
 
 namespace sundog {
 namespace {
 
-/// Uniform noise in red, a flat green; what is seen has its column in its albedo and depth.
+/// Uniform noise in red, a flat green; what is seen has its column in its albedo and depth. In
+/// columns 6 to 8 of the first row something without albedo is seen.
 class NoisyDevice : public Device {
 public:
     [[nodiscard]] const DeviceInfo& info() const override { return info_; }
@@ -31,7 +33,9 @@ public:
                     sum[3] += 1;
                 }
                 if (film.aovs == 0) continue;
-                film.albedo[film.index(x, y)] = {static_cast<float>(x), static_cast<float>(y), 0};
+                const bool clear = y == 0 && x / 3 == 2;
+                film.albedo[film.index(x, y)] =
+                    clear ? Vec3{} : Vec3{static_cast<float>(x + 1), static_cast<float>(y + 1), 0};
                 film.normal[film.index(x, y)] = {0, 0, 1};
                 film.depth[film.index(x, y)] = x < 3 ? 2 : INFINITY;
             }
@@ -105,11 +109,22 @@ TEST(Guides, AreMeansOverEachPixel) {
     EXPECT_EQ(device.last.params.max_depth, 0U);
     ASSERT_EQ(guides.albedo.size(), 5U * 70U);
     ASSERT_EQ(guides.depth.size(), 5U * 70U);
-    EXPECT_NEAR(guides.albedo[0].x, 1, 1e-5);
-    EXPECT_NEAR(guides.albedo[5 * 69 + 4].x, 13, 1e-4);
-    EXPECT_NEAR(guides.albedo[5 * 69 + 4].y, 208, 1e-3);
+    EXPECT_NEAR(guides.albedo[0].x, 2, 1e-5);
+    EXPECT_NEAR(guides.albedo[5 * 69 + 4].x, 14, 1e-4);
+    EXPECT_NEAR(guides.albedo[5 * 69 + 4].y, 209, 1e-3);
     EXPECT_NEAR(guides.depth[0], 2, 1e-5);
     EXPECT_TRUE(std::isinf(guides.depth[1]));
+}
+
+// Catches pixels at rims of what has no albedo, mirrors or glass or the sky, whose light is divided by less than that
+// of either side: they came out dark.
+TEST(Guides, TakeWhatHasNoAlbedoForWhite) {
+    NoisyDevice device;
+    const PictureGuides guides = trace_guides(device, frame_of(5, 70), StopFlag{});
+    const float least = denoise::divisor({8, 8, 0}).z;
+    EXPECT_LT(least, 0.1F);
+    EXPECT_NEAR(guides.albedo[2].x, (6 * 8 + 3 * 1) / 9.0F, 1e-5);
+    EXPECT_NEAR(guides.albedo[2].z, (6 * least + 3 * 1) / 9.0F, 1e-5);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denoise/denoise.h"
+
 namespace sundog {
 namespace {
 
@@ -35,7 +37,7 @@ void add_row(const Film& fine, int y, int width, PictureGuides& guides) {
         for (int j = 0; j < kFiner; ++j)
             for (int i = 0; i < kFiner; ++i) {
                 const std::size_t at = fine.index(x * kFiner + i, y * kFiner + j);
-                albedo += fine.albedo[at] * kShare;
+                albedo += denoise::divisor(fine.albedo[at]) * kShare;
                 normal += fine.normal[at] * kShare;
                 if (fine.depth[at] > 0) nearness += kShare / fine.depth[at];
             }

@@ -11,6 +11,8 @@ namespace sundog {
 
 /// Means over each pixel of a picture, row by row; all empty where there are none.
 struct PictureGuides {
+    /// Albedo: of each ray what light is to be divided by (denoise::divisor()), so 1 where it meets no diffuse surface:
+    /// where a pixel sees a wall and glass or the sky beside it, the quotient lies between theirs.
     std::vector<Vec3> albedo, normal;
     std::vector<float> depth;  ///< The harmonic mean; infinite where nothing was met.
 };
