@@ -23,21 +23,22 @@ FN real crackle_measure(real3 v, float metric) {
     return power(a.x, m) + power(a.y, m) + power(a.z, m);
 }
 
-/// Looks at the point of the cell at `step` from the one that p lies in, `within` of it, unless that cell is beyond the
-/// nearest three (`thirds`) or two.
-FN CracklePoints with_cell(CracklePoints found, real3 home, real3 within, vec3 step, float metric, bool thirds) {
-    // How far the cell's border is along each axis.
-    real3 gap = real3(step.x == 0.0f  ? real(0.0f)
-                      : step.x < 0.0f ? within.x
-                                      : 1.0f - within.x,
-                      step.y == 0.0f  ? real(0.0f)
-                      : step.y < 0.0f ? within.y
-                                      : 1.0f - within.y,
-                      step.z == 0.0f  ? real(0.0f)
-                      : step.z < 0.0f ? within.z
-                                      : 1.0f - within.z);
-    real limit = thirds ? found.third : found.second;
-    if (metric == 2.0f && !any_lane(dot(gap, gap) < limit)) return found;
+/// What the distance to the cell at `step` along an axis adds to the measure at least: `within` is where p lies in its
+/// own cell. Powers are rounded: a hair less of theirs.
+FN real measured_gap(float step, real within, float metric) {
+    if (step == 0.0f) return real(0.0f);
+    real gap = step < 0.0f ? within : 1.0f - within;
+    if (metric == 2.0f) return gap * gap;
+    return metric == 1.0f ? gap * 0.9999f : power(gap, real(metric)) * 0.9999f;
+}
+
+/// Whether points with a measure of `gap` at least may be among the nearest three (`thirds`) or two.
+FN bool may_be_near(CracklePoints found, real gap, bool thirds) {
+    return any_lane(gap < (thirds ? found.third : found.second));
+}
+
+/// Looks at the point of the cell at `step` from the one that p lies in, `within` of it.
+FN CracklePoints with_cell(CracklePoints found, real3 home, real3 within, vec3 step, float metric) {
     word hash = cell_hash(home + real3(step), 0x17u);
     real3 jitter = real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u)) * real(0.5f);
     real3 offset = real3(step) + jitter + real3(real(0.5f)) - within;
@@ -58,14 +59,21 @@ FN CracklePoints crackle_points(real3 p, float metric, bool thirds) {
     found.hash = word(0u);
     real3 home = real3(floor(p.x), floor(p.y), floor(p.z));
     real3 within = p - home;
-    // The cell itself and its neighbours behind faces first: most others are then too far.
+    // The cell itself and its neighbours behind faces first: most others, whole rows of them, are then too far.
     for (uint pass = 0u; pass < 2u; pass = pass + 1u) {
-        for (uint i = 0u; i < 27u; i = i + 1u) {
-            uint row = i / 3u % 3u;
-            uint plane = i / 9u;
-            vec3 step = vec3(float(i % 3u) - 1.0f, float(row) - 1.0f, float(plane) - 1.0f);
-            bool close = abs(step.x) + abs(step.y) + abs(step.z) < 1.5f;
-            if (close == (pass == 0u)) found = with_cell(found, home, within, step, metric, thirds);
+        for (float z = -1.0f; z < 1.5f; z = z + 1.0f) {
+            real plane = measured_gap(z, within.z, metric);
+            if (!may_be_near(found, plane, thirds)) continue;
+            for (float y = -1.0f; y < 1.5f; y = y + 1.0f) {
+                real row = plane + measured_gap(y, within.y, metric);
+                if (!may_be_near(found, row, thirds)) continue;
+                for (float x = -1.0f; x < 1.5f; x = x + 1.0f) {
+                    bool close = abs(x) + abs(y) + abs(z) < 1.5f;
+                    if (close != (pass == 0u)) continue;
+                    if (may_be_near(found, row + measured_gap(x, within.x, metric), thirds))
+                        found = with_cell(found, home, within, vec3(x, y, z), metric);
+                }
+            }
         }
     }
     return found;
