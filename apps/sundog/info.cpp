@@ -91,7 +91,7 @@ int print_scene(const InfoArguments& arguments) {
     const scene::Scene scene = import::import_scene(file, warnings.sink(), arguments.choices);
     const double read_ms = milliseconds_since(start);
     start = Clock::now();
-    const std::shared_ptr<const RenderScene> compiled = compile(scene, warnings.sink());
+    const std::shared_ptr<const RenderScene> compiled = compile(scene, warnings.sink(), false);
     const double compile_ms = milliseconds_since(start);
 
     std::size_t triangles = 0;

@@ -143,7 +143,8 @@ int render(RenderArguments arguments) {
     scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn, arguments.choices);
     scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     arguments.environment.apply(scene);
-    const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
+    const std::shared_ptr<const RenderScene> compiled =
+        compile(scene, warn, arguments.frame.integrator == kernel::INTEGRATOR_PATH);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs,
                          arguments.denoise.has_value());
     if (arguments.view) {

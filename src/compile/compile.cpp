@@ -12,6 +12,7 @@
 #include "compile/convert.h"
 #include "compile/emitters.h"
 #include "compile/material.h"
+#include "compile/media_bound.h"
 #include "compile/mesh.h"
 #include "compile/pattern_compiler.h"
 #include "compile/photon_targets.h"
@@ -73,7 +74,8 @@ std::vector<bool> tinted_materials(const scene::Scene& scene) {
     return tinted;
 }
 
-void compile_materials(const scene::Scene& scene, RenderScene& out) {
+/// Returns the lists of media.
+std::vector<MediaList> compile_materials(const scene::Scene& scene, RenderScene& out) {
     PatternCompiler patterns(scene, out);
     const std::vector<bool> tinted = tinted_materials(scene);
     out.material_maps.push_back(no_maps());
@@ -106,6 +108,7 @@ void compile_materials(const scene::Scene& scene, RenderScene& out) {
         out.materials.back().bsdf = kernel::NONE;
     }
     if (!out.bsdfs.empty()) out.tables.insert(out.tables.end(), bsdf_tables().begin(), bsdf_tables().end());
+    return patterns.take_media_lists();
 }
 
 /// What of the camera the kernel doesn't have.
@@ -358,10 +361,10 @@ void note_one_sided(const scene::Object& object, const kernel::Geometry& geometr
 
 }  // namespace
 
-std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn) {
+std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn, bool for_paths) {
     auto out = std::make_shared<RenderScene>();
     compile_textures(scene, *out);
-    compile_materials(scene, *out);
+    const std::vector<MediaList> media = compile_materials(scene, *out);
     compile_camera(scene, *out);
 
     const MeshAttributes attributes = attributes_of(scene, *out);
@@ -384,6 +387,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
     }
     list.finish(warn);
     find_shining(*out);
+    if (for_paths) add_majorant_grids(media, scene.textures, *out);
     if (scene.environment) compile_environment(*scene.environment, *out);
     out->features |= features_of(*out, attributes, list.moving());
     const auto grouped = [](const scene::Light& light) { return light.group != 0; };

@@ -12,8 +12,9 @@
 namespace sundog {
 
 /// Flattens a scene into the kernel's arrays. Zero-area triangles are dropped with one warning an object; a scene
-/// without any primitive is fine (all sky). Vertex normals of zero length fall back to the face's.
-std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn);
+/// without any primitive is fine (all sky). Vertex normals of zero length fall back to the face's. Unless it is
+/// `for_paths`, what makes path tracing alone faster (grids of media, which may take a second) is left out.
+std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn, bool for_paths = true);
 
 /// What the caller chooses of a picture; what is not set comes from the scene's Settings, then from the defaults
 /// that the manual names (640x480, depth 5, for paths 16, min_weight 0.01, shadows on, no far clip).

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,6 @@
 #include "compile/convert.h"
 #include "compile/insides_at.h"
 #include "compile/pattern_compiler.h"
-#include "compile/pigment_bound.h"
 #include "fields/pigment_code.h"
 
 namespace sundog {
@@ -200,6 +198,9 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
     out_.code.push_back(static_cast<std::uint32_t>(media.size()));
     for (const Vec3d& column : {medium_from_world.x, medium_from_world.y, medium_from_world.z, medium_from_world.t})
         put_color(to_float(column));
+    put(static_cast<float>(MediaBound(media, scene_.textures).most()));
+    out_.code.push_back(kernel::NONE);
+    media_lists_.push_back({known->second, media, medium_from_world});
     for (std::size_t i = 0; i < media.size(); ++i) {
         const scene::Medium& m = media[i];
         put_color(m.absorption), put_color(m.emission), put_color(m.scattering);
@@ -215,8 +216,6 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
         out_.code.push_back(static_cast<std::uint32_t>(std::max(m.intervals, 1)));
         put(m.jitter), put(m.ratio);
         out_.code.push_back(m.collects_photons ? 1 : 0);
-        put(std::accumulate(m.densities.begin(), m.densities.end(), 1.0F,
-                            [](float product, const auto& density) { return product * most_of(*density); }));
     }
     return known->second;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "compile/media_bound.h"
 #include "device/render_scene.h"
 #include "fields/host_fields.h"
 #include "scene/scene.h"
@@ -31,6 +32,8 @@ public:
     void compile_sky();
     /// A list of normals, into `code`.
     std::uint32_t normals_of(const scene::Normal& normal);
+    /// All lists of media so far.
+    [[nodiscard]] std::vector<MediaList> take_media_lists() { return std::move(media_lists_); }
 
 private:
     struct Layers {
@@ -60,6 +63,7 @@ private:
     std::map<std::uint32_t, std::uint32_t> interiors_;             // By the scene's numbers.
     std::map<std::uint32_t, std::uint32_t> light_sets_;
     std::map<std::string, std::uint32_t> media_;  ///< By the list's address and place.
+    std::vector<MediaList> media_lists_;
 };
 
 /// FEATURE_* bits that a material of layers needs; 0 for others.

@@ -371,11 +371,21 @@ KERNEL_CONST uint MAX_MEDIA_INSIDES = 4u;
 KERNEL_CONST uint INTERIOR_PLAIN = 1u;
 /// PatternedMaterial::medium of what is not hollow.
 KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
-/// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), then MEDIUM_WORDS each: absorption,
-/// emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of densities, where their
-/// programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals, jitter, ratio, 1 if photons
-/// are stored there, the most that the product of the densities can be. See kernel/atmosphere/media.h.
-KERNEL_CONST uint MEDIUM_WORDS = 23u;
+/// Lists of media in `code`: their count, medium_from_world (columns x, y, z, t), the most that their extinction (or
+/// what they scatter, if that is more) can be anywhere, where their grid is (NONE: they have none), then MEDIUM_WORDS
+/// each: absorption, emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of
+/// densities, where their programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals,
+/// jitter, ratio, 1 if photons are stored there. See kernel/atmosphere/media.h.
+KERNEL_CONST uint MEDIA_LIST_MOST = 13u;
+KERNEL_CONST uint MEDIA_LIST_GRID = 14u;
+KERNEL_CONST uint MEDIA_LIST_WORDS = 15u;
+KERNEL_CONST uint MEDIUM_WORDS = 22u;
+/// Grids of media in `code`: grid_from_world (columns x, y, z, t; cells are of size 1, the first at the origin),
+/// numbers of cells along x, y and z, what share of MEDIA_LIST_MOST the media have outside of them at most, then that
+/// of each cell, x running fastest. See kernel/atmosphere/majorants.h.
+KERNEL_CONST uint MEDIA_GRID_COUNTS = 12u;
+KERNEL_CONST uint MEDIA_GRID_OUTSIDE = 15u;
+KERNEL_CONST uint MEDIA_GRID_WORDS = 16u;
 /// Rainbows in `code`: their count, then RAINBOW_WORDS each: direction (unit), up (unit, across it), angle, one over
 /// the width, distance, jitter, half the arc and half of what of it is there in full (radians), the program of its
 /// colours along x. See kernel/atmosphere/rainbow.h.

@@ -232,7 +232,7 @@ private:
         text_.write(PovText::render, "==== [Parsing...] ====\n");
         const WarningSink sink = [this](const Diagnostic& diagnostic) { warn(diagnostic); };
         scene::Scene scene = pov::import_pov(scene_file_, import_options(frame, file), sink);
-        const std::shared_ptr<const RenderScene> compiled = compile(scene, sink);
+        const std::shared_ptr<const RenderScene> compiled = compile(scene, sink, false);
         if (stop.requested()) return interrupted(frame, nullptr, file);
         if (!session_) session_.emplace(open_device_for(*compiled, settings_.device, settings_.work_threads));
         session_->load(compiled);
@@ -284,7 +284,7 @@ private:
         }
         const Vec3 sky = scene.sky;
         leave_only_the_sky(scene);
-        const std::shared_ptr<const RenderScene> compiled = compile(scene, {});
+        const std::shared_ptr<const RenderScene> compiled = compile(scene, {}, false);
         session_->load(compiled);
         const RenderResult share =
             session_->render(make_frame(scene, *compiled, frame_options()), sampling_of(settings_).samples, {}, stop,

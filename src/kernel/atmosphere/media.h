@@ -4,7 +4,8 @@
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 
-#include "kernel/atmosphere/media_insides.h"
+#include "kernel/atmosphere/majorants.h"
+#include "kernel/atmosphere/media_group.h"
 #include "kernel/patterns/noise.h"
 #include "kernel/patterns/program.h"
 
@@ -12,21 +13,6 @@ KERNEL_BEGIN
 
 /// Most particles of different kinds at one place that scatter light.
 const uint MAX_SCATTERERS = 8u;
-/// Most lists of media at one place: of the insides, and the atmosphere's.
-const uint MAX_MEDIA_LISTS = MAX_MEDIA_INSIDES + 1u;
-
-/// The media that some lanes are in together.
-struct MediaGroup {
-    uint count;
-    uint list[MAX_MEDIA_LISTS];  ///< In `code`.
-    uint first;                  ///< The medium in `code` whose sampling counts: as in povray, the one entered first.
-    bool varies;                 ///< Somewhere, density depends on the place.
-    bool absorbs;                ///< Some light is lost.
-    bool emits;
-    bool scatters;
-    bool collects;  ///< Photons are stored there.
-};
-
 /// What media do to light at a point, per unit of length.
 struct MediaPoint {
     real3 extinction;  ///< The share that is absorbed or scattered away.
@@ -40,49 +26,6 @@ struct Scatterers {
     float eccentricity[MAX_SCATTERERS];
     real3 color[MAX_SCATTERERS];  ///< Per unit of length.
 };
-
-FN bool not_black(vec3 c) { return max(abs(c.x), max(abs(c.y), abs(c.z))) > 0.0f; }
-
-FN void add_list(SCENE uint list, INOUT(MediaGroup) group) {
-    if (group.count == 0u) group.first = list + 13u;
-    group.list[group.count] = list;
-    group.count = group.count + 1u;
-    uint count = AT(code, list);
-    for (uint i = 0u; i < count; i = i + 1u) {
-        uint at = list + 13u + i * MEDIUM_WORDS;
-        bool scatters = not_black(code_vec3(SCENE_ at + 6u));
-        group.scatters = group.scatters || scatters;
-        group.collects = group.collects || AT(code, at + 21u) != 0u;
-        group.emits = group.emits || not_black(code_vec3(SCENE_ at + 3u));
-        group.absorbs =
-            group.absorbs || not_black(code_vec3(SCENE_ at)) || (scatters && code_float(SCENE_ at + 9u) != 0.0f);
-        group.varies = group.varies || AT(code, at + 12u) > 0u;
-    }
-}
-
-/// Takes those lanes from `todo` that are in the same media as its first one, and says in which. In what isn't hollow
-/// there are none, whatever it stands in.
-FN mask take_alike(SCENE MediaInsides insides, bool atmosphere, INOUT(mask) todo, OUT(MediaGroup) group) {
-    mask alike = todo;
-    bool solid = false;
-    group.count = 0u;
-    group.first = 0u;
-    group.varies = false;
-    group.absorbs = false;
-    group.emits = false;
-    group.scatters = false;
-    group.collects = false;
-    for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u) {
-        uint list = first_lane(todo, insides.entry[i]);
-        alike = mask_and(alike, insides.entry[i] == word(list));
-        if (list == MEDIUM_SOLID) solid = true;
-        else if (list != NONE) add_list(SCENE_ list, group);
-    }
-    if (atmosphere) add_list(SCENE_ FRAME.atmosphere, group);
-    if (solid) group.count = 0u;
-    todo = mask_and(todo, mask_not(alike));
-    return alike;
-}
 
 /// The density of the medium at `at` in `code`, at a point of its own space, per channel.
 FN real3 medium_density(SCENE uint at, real3 placed) {
@@ -109,7 +52,7 @@ FN_LARGE MediaPoint media_at(SCENE MediaGroup group, real3 p, OUT(Scatterers) sc
         uint list = group.list[k];
         real3 placed = placed_in_media(SCENE_ list, p);
         for (uint i = 0u; i < AT(code, list); i = i + 1u) {
-            uint at = list + 13u + i * MEDIUM_WORDS;
+            uint at = list + MEDIA_LIST_WORDS + i * MEDIUM_WORDS;
             real3 density = medium_density(SCENE_ at, placed);
             real3 scattered = density * real3(code_vec3(SCENE_ at + 6u));
             point.extinction =
@@ -131,45 +74,23 @@ FN real3 dimmed_by(real3 x) {
     return real3(exp2_clamped(x.x * -1.44269504f), exp2_clamped(x.y * -1.44269504f), exp2_clamped(x.z * -1.44269504f));
 }
 
-/// No less than the extinction, and than what is scattered, of a group's media at any place, per unit of length.
-FN float media_bound(SCENE MediaGroup group) {
-    float bound = 0.0f;
-    for (uint k = 0u; k < group.count; k = k + 1u) {
-        uint list = group.list[k];
-        for (uint i = 0u; i < AT(code, list); i = i + 1u) {
-            uint at = list + 13u + i * MEDIUM_WORDS;
-            vec3 absorbed = code_vec3(SCENE_ at);
-            vec3 scattered = code_vec3(SCENE_ at + 6u);
-            float lost = max(abs(code_float(SCENE_ at + 9u)), 1.0f);
-            float red = abs(absorbed.x) + abs(scattered.x) * lost;
-            float green = abs(absorbed.y) + abs(scattered.y) * lost;
-            float blue = abs(absorbed.z) + abs(scattered.z) * lost;
-            bound = bound + max(red, max(green, blue)) * code_float(SCENE_ at + 22u);
-        }
-    }
-    return bound;
-}
-
 /// Share of light that gets through a group's media over `reach` of a ray, by ratio tracking (Novak et al., Residual
 /// Ratio Tracking, SIGGRAPH Asia 2014): right on average, for any density. Its numbers come from the ray's own.
 FN real3 tracked_transmittance(SCENE MediaGroup group, Ray ray, real reach, mask here) {
     real3 passes = real3(real(1.0f));
-    // Twice as many places as needed make its noise smaller.
-    float density = 2.0f * media_bound(SCENE_ group);
-    if (density <= 0.0f) return passes;
-    float per_density = 1.0f / density;
     word seed = hash_word(hash_word(hash_word(as_word(ray.origin.x)) + as_word(ray.origin.y)) + as_word(ray.origin.z));
-    real t = real(0.0f);
+    Walk walk = begun_walk();
     mask going = here;
     uint step = 0u;
     while (true) {
         real u = 1.0f - random_at(ray.direction, seed + word(step));
-        t = t - log2_positive(u) * (0.693147181f * per_density);
-        going = mask_and(going, t < reach);
+        // Twice as many places as needed make its noise smaller.
+        walk_on(SCENE_ group, 2.0f, real(0.0f), ray, log2_positive(u) * -0.693147181f, reach, going, walk);
+        going = mask_and(going, walk.t < reach);
         if (!any_lane(going)) return passes;
         Scatterers scatterers;
-        MediaPoint point = media_at(SCENE_ group, point_at(ray, select(going, t, real(0.0f))), scatterers);
-        real3 share = real3(real(1.0f)) - point.extinction * per_density;
+        MediaPoint point = media_at(SCENE_ group, point_at(ray, select(going, walk.t, real(0.0f))), scatterers);
+        real3 share = real3(real(1.0f)) - point.extinction * (1.0f / max(walk.density, real(1e-30f)));
         passes = select(going, passes * share, passes);
         going = mask_and(going, largest(abs(passes)) > real(1e-4f));
         step = step + 1u;

@@ -39,24 +39,24 @@ FN_LARGE void track_group(SCENE MediaGroup group, real reach, mask here, INOUT(T
                           INOUT(Particle) particle) {
     real3 black = real3(real(0.0f));
     // Where nothing scatters or shines, twice as many places as needed make the weights' noise smaller.
-    float bound = media_bound(SCENE_ group) * (group.scatters ? 1.0f : 2.0f);
-    real density = max(real(bound), group.emits ? LEAST_PLACES / max(reach, real(1e-20f)) : real(0.0f));
-    if (!any_lane(mask_and(here, density > real(0.0f)))) return;
-    real per_density = 1.0f / max(density, real(1e-30f));
+    float factor = group.scatters ? 1.0f : 2.0f;
+    real least = group.emits ? LEAST_PLACES / max(reach, real(1e-20f)) : real(0.0f);
     word number = word(FIRST_MEDIA_CHOICE) + (path.vertices << 18u);
-    real t = real(0.0f);
-    mask going = mask_and(here, density > real(0.0f));
+    Walk walk = begun_walk();
+    mask going = here;
     for (uint i = 0u; i < MAX_MEDIA_STEPS; i = i + 1u) {
         real u = 1.0f - sample_hash(path.draws, number + word(3u * i));
-        t = t - log2_positive(u) * 0.693147181f * per_density;
-        going = mask_and(going, t < reach);
+        walk_on(SCENE_ group, factor, least, path.ray, log2_positive(u) * -0.693147181f, reach, going, walk);
+        going = mask_and(going, walk.t < reach);
         if (!any_lane(going)) return;
+        real t = walk.t;
+        real per_density = 1.0f / max(walk.density, real(1e-30f));
         Scatterers scatterers;
         MediaPoint point = media_at(SCENE_ group, point_at(path.ray, select(going, t, real(0.0f))), scatterers);
         radiance = radiance + select(going, path.weight * point.glow * per_density, black);
         real3 scattered = black;
         for (uint k = 0u; k < scatterers.count; k = k + 1u) scattered = scattered + scatterers.color[k];
-        real3 passing = max(real3(density) - point.extinction, black);
+        real3 passing = max(real3(walk.density) - point.extinction, black);
         real by_scattering = largest(abs(path.weight * scattered));
         real by_passing = largest(path.weight * passing);
         real all = by_scattering + by_passing;
