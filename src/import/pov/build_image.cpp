@@ -108,28 +108,37 @@ scene::Index texture_of_function(BuildContext& context, ItemReader& items) {
     texture.width = static_cast<std::uint32_t>(width), texture.height = static_cast<std::uint32_t>(height);
     texture.srgb = false;
     texture.rgba8.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    std::vector<Vec3d> places;
-    for (int row = 0; row < height; ++row)
-        for (int column = 0; column < width; ++column)
-            places.push_back({static_cast<double>(column) / std::max(width - 1, 1),
-                              static_cast<double>(row) / std::max(height - 1, 1), 0});
+    // Row by row: many points together are quick, all of them are much memory.
+    std::vector<Vec3d> places(static_cast<std::size_t>(width));
+    const auto for_rows = [&](auto add_row) {
+        for (int row = 0; row < height; ++row) {
+            for (int column = 0; column < width; ++column)
+                places[static_cast<std::size_t>(column)] = {static_cast<double>(column) / std::max(width - 1, 1),
+                                                            static_cast<double>(row) / std::max(height - 1, 1), 0};
+            add_row();
+        }
+    };
     if (function->kind == FunctionKind::pigment) {
         const std::array pigments{BlockPigments(context).pigment_of(function->block)};
         const fields::PigmentEvaluator evaluator(pigments, context.scene.textures);
-        for (const std::array<double, 5>& c : evaluator.colors(0, places)) {
-            const std::uint32_t opacity = byte_of(1 - std::clamp(c[3] + c[4], 0.0, 1.0));
-            texture.rgba8.push_back(byte_of(c[0]) | byte_of(c[1]) << 8U | byte_of(c[2]) << 16U | opacity << 24U);
-        }
+        for_rows([&] {
+            for (const std::array<double, 5>& c : evaluator.colors(0, places)) {
+                const std::uint32_t opacity = byte_of(1 - std::clamp(c[3] + c[4], 0.0, 1.0));
+                texture.rgba8.push_back(byte_of(c[0]) | byte_of(c[1]) << 8U | byte_of(c[2]) << 16U | opacity << 24U);
+            }
+        });
     } else {
         const auto flat = read_functions(context, std::array{function}, 3);
         const fields::FunctionEvaluator evaluator(flat, context.scene.textures);
-        fields::PointsEvaluation evaluation(evaluator, places);
         std::uint64_t budget = context.options.limits.steps;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const std::optional<double> value = evaluation.next(budget);
-            if (!value) items.fail("the limit of steps was hit in a function");
-            texture.rgba8.push_back(byte_of(*value) * 0x010101U | 0xff000000U);
-        }
+        for_rows([&] {
+            fields::PointsEvaluation evaluation(evaluator, places);
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const std::optional<double> value = evaluation.next(budget);
+                if (!value) items.fail("the limit of steps was hit in a function");
+                texture.rgba8.push_back(byte_of(*value) * 0x010101U | 0xff000000U);
+            }
+        });
     }
     context.scene.textures.push_back(std::move(texture));
     return static_cast<scene::Index>(context.scene.textures.size() - 1);
