@@ -167,9 +167,10 @@ private:
         scene::Solid placed = solid;
         placed.parent_from_shape = object_from_parent * solid.parent_from_shape;
         placed.interior_material = interior_material;
+        const auto needs = [this](std::uint32_t m) { return needs_uv(m); };
         std::shared_ptr<const solids::CompiledSolid> compiled;
         if (object_from_parent == Affine3d{} || solid.clipped_by.empty()) {
-            compiled = solids::compile_solid(placed, material, scene_.textures);
+            compiled = solids::compile_solid(placed, material, scene_.textures, needs);
         } else {
             // Clips lie in the parent's space: a group of one carries them there.
             placed.parent_from_shape = solid.parent_from_shape;
@@ -177,7 +178,7 @@ private:
             parent.where = solid.where;
             parent.shape = scene::SolidGroup{{}, {std::make_shared<const scene::Solid>(std::move(placed))}};
             parent.parent_from_shape = object_from_parent;
-            compiled = solids::compile_solid(parent, material, scene_.textures);
+            compiled = solids::compile_solid(parent, material, scene_.textures, needs);
         }
         add_({{kernel::GEOMETRY_SOLID, 0, 1, kernel::NONE, 0, 0}, compiled, float_bounds(compiled->bounds())});
     }

@@ -24,22 +24,24 @@ Bounds3d transformed(const Affine3d& m, const Bounds3d& b);
 /// Grown by so little that only rounding needs it (a billionth of its size and place).
 Bounds3d padded(const Bounds3d& b);
 
-/// The part of `range` in which the ray is in the box; empty where it misses it.
-inline Range clip(const Bounds3d& b, const Ray& ray, Range range) {
+/// The part of `range` in which the ray is in the box; empty where it misses it. `inverse` is of the ray's direction.
+inline Range clip(const Bounds3d& b, const Ray& ray, Vec3d inverse, Range range) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double o = ray.origin[axis];
-        const double d = ray.direction[axis];
-        if (d == 0) {
+        if (ray.direction[axis] == 0) {
             if (o < b.lower[axis] || o > b.upper[axis]) return {1, 0};
             continue;
         }
-        const double inverse = 1 / d;
-        const double t0 = (b.lower[axis] - o) * inverse;
-        const double t1 = (b.upper[axis] - o) * inverse;
+        const double t0 = (b.lower[axis] - o) * inverse[axis];
+        const double t1 = (b.upper[axis] - o) * inverse[axis];
         range.lower = std::max(range.lower, std::min(t0, t1));
         range.upper = std::min(range.upper, std::max(t0, t1));
     }
     return range;
+}
+inline Range clip(const Bounds3d& b, const WorldRay& ray, Range range) { return clip(b, ray, ray.inverse, range); }
+inline Range clip(const Bounds3d& b, const Ray& ray, Range range) {
+    return clip(b, ray, {1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z}, range);
 }
 
 }  // namespace sundog::solids

@@ -23,6 +23,11 @@ public:
     /// range.upper, and what lies behind is passed over then.
     template <class Visit>
     void along(const Ray& ray, Range& range, const Visit& visit) const {
+        along(ray, {1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z}, range, visit);
+    }
+    /// The same with the inverse of the ray's direction, where it is known.
+    template <class Visit>
+    void along(const Ray& ray, Vec3d inverse, Range& range, const Visit& visit) const {
         if (nodes_.empty()) return;
         SmallVector<std::uint32_t, 64> stack;
         stack.push_back(0);
@@ -30,11 +35,11 @@ public:
             const Node& node = nodes_[stack.back()];
             const auto self = static_cast<std::uint32_t>(&node - nodes_.data());
             stack.pop_back();
-            if (clip(node.box, ray, range).empty()) continue;
+            if (clip(node.box, ray, inverse, range).empty()) continue;
             if (node.count > 0) {
                 for (std::uint32_t i = 0; i < node.count; ++i) {
                     const Item& item = items_[node.first + i];
-                    if (!clip(item.box, ray, range).empty()) visit(item.index);
+                    if (!clip(item.box, ray, inverse, range).empty()) visit(item.index);
                 }
                 continue;
             }

@@ -18,23 +18,14 @@ public:
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
         Crossing enter{-kInfinity};
         Crossing leave{kInfinity};
-        for (std::uint32_t axis = 0; axis < 3; ++axis) {
-            const double o = ray.origin[axis];
-            const double d = ray.direction[axis];
-            if (d == 0) {
-                if (!(o > box_.lower[axis] && o < box_.upper[axis])) return false;
-                continue;
-            }
-            const double t_lower = (box_.lower[axis] - o) / d;
-            const double t_upper = (box_.upper[axis] - o) / d;
-            const std::uint32_t first = d > 0 ? 0 : 1;
-            const double t_first = d > 0 ? t_lower : t_upper;
-            const double t_second = d > 0 ? t_upper : t_lower;
-            if (t_first > enter.t) enter.t = t_first, enter.part = 2 * axis + first;
-            if (t_second < leave.t) leave.t = t_second, leave.part = 2 * axis + (1 - first);
-        }
+        if (!slabs(ray, enter, leave)) return false;
         if (!(enter.t < leave.t)) return flat_crossing(ray, enter.t, leave.t, range, out);
         return append_interval(enter, leave, range, out);
+    }
+    bool stretch(const Ray& ray, Range range, Stretch& out) const override {
+        Crossing enter{-kInfinity};
+        Crossing leave{kInfinity};
+        return slabs(ray, enter, leave) && enter.t < leave.t && stretch_between(enter, leave, range, out);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
     [[nodiscard]] bool is_convex() const override {
@@ -83,6 +74,25 @@ public:
     }
 
 private:
+    /// Between which crossings the ray is within all three pairs of faces; false where it runs beside one.
+    bool slabs(const Ray& ray, Crossing& enter, Crossing& leave) const {
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+            const double o = ray.origin[axis];
+            const double d = ray.direction[axis];
+            if (d == 0) {
+                if (!(o > box_.lower[axis] && o < box_.upper[axis])) return false;
+                continue;
+            }
+            const double t_lower = (box_.lower[axis] - o) / d;
+            const double t_upper = (box_.upper[axis] - o) / d;
+            const std::uint32_t first = d > 0 ? 0 : 1;
+            const double t_first = d > 0 ? t_lower : t_upper;
+            const double t_second = d > 0 ? t_upper : t_lower;
+            if (t_first > enter.t) enter.t = t_first, enter.part = 2 * axis + first;
+            if (t_second < leave.t) leave.t = t_second, leave.part = 2 * axis + (1 - first);
+        }
+        return true;
+    }
     /// A box without thickness is a surface, as povray shows it.
     bool flat_crossing(const Ray& ray, double enter, double leave, Range range, CrossingList& out) const {
         for (std::uint32_t axis = 0; enter == leave && axis < 3; ++axis) {

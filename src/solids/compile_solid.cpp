@@ -75,7 +75,9 @@ std::uint32_t own_or(std::uint32_t own, std::uint32_t above) { return own != sce
 
 class SolidCompiler {
 public:
-    explicit SolidCompiler(std::span<const scene::Texture> textures) : textures_(textures) {}
+    explicit SolidCompiler(std::span<const scene::Texture> textures,
+                           const std::function<bool(std::uint32_t)>& needs_uv = {})
+        : textures_(textures), needs_uv_(needs_uv) {}
 
     std::shared_ptr<CompiledSolid> compile(const scene::Solid& solid, std::uint32_t material) {
         out_->nodes_.emplace_back();
@@ -125,8 +127,17 @@ private:
         const NodeBounds bounds = bounds_of_leaf(*leaf.shape, m);
         out_->nodes_[index].first = static_cast<std::uint32_t>(out_->leaves_.size());
         out_->nodes_[index].quick = leaf.shape->is_quick();
+        out_->nodes_[index].convex = leaf.shape->is_convex();
+        leaf.needs_uv = needs_uv(leaf);
         out_->leaves_.push_back(std::move(leaf));
         return bounds;
+    }
+
+    [[nodiscard]] bool needs_uv(const CompiledSolid::Leaf& leaf) const {
+        if (!needs_uv_ || needs_uv_(leaf.material)) return true;
+        if (leaf.interior_material != scene::Solid::kInherited && needs_uv_(leaf.interior_material)) return true;
+        const std::vector<std::uint32_t> own = leaf.shape->materials();
+        return std::any_of(own.begin(), own.end(), needs_uv_);
     }
 
     NodeBounds place_group(std::uint32_t index, const Placed& placed, const scene::SolidGroup& group,
@@ -312,12 +323,14 @@ private:
     }
 
     std::span<const scene::Texture> textures_;
+    std::function<bool(std::uint32_t)> needs_uv_;
     std::shared_ptr<CompiledSolid> out_ = std::make_shared<CompiledSolid>();
 };
 
 std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material,
-                                                   std::span<const scene::Texture> textures) {
-    return SolidCompiler(textures).compile(solid, material);
+                                                   std::span<const scene::Texture> textures,
+                                                   const std::function<bool(std::uint32_t)>& needs_uv) {
+    return SolidCompiler(textures, needs_uv).compile(solid, material);
 }
 
 bool can_be_split(const scene::Solid& solid) {

@@ -5,17 +5,8 @@
 #include <cmath>
 
 namespace sundog::solids {
-double CompiledSolid::coincidence_tolerance(const Ray& ray, double t) {
-    return kCoincident * (std::abs(t) + std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction)));
-}
 
-/// `part` of a range with room for rounding at both ends.
-Range CompiledSolid::widened(Range part, const Ray& ray, Range whole) {
-    return {std::max(whole.lower, part.lower - 10 * coincidence_tolerance(ray, part.lower)),
-            std::min(whole.upper, part.upper + 10 * coincidence_tolerance(ray, part.upper))};
-}
-
-bool CompiledSolid::events(std::uint32_t index, const Ray& ray, Range range, EventList& out) const {
+bool CompiledSolid::events(std::uint32_t index, const WorldRay& ray, Range range, EventList& out) const {
     const Node& node = nodes_[index];
     const Range reach = node.unbounded ? range : clip(node.active, ray, range);
     if (reach.empty()) return node.state_beyond;
@@ -48,7 +39,7 @@ CompiledSolid::Event CompiledSolid::event_of(const Node& node, const Ray& in_sha
     return e;
 }
 
-bool CompiledSolid::leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
+bool CompiledSolid::leaf_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const {
     const Leaf& leaf = leaves_[node.first];
     const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
     CrossingList crossings;
@@ -62,22 +53,28 @@ bool CompiledSolid::leaf_events(const Node& node, const Ray& ray, Range range, E
 }
 
 /// Appends the first visible event alone: all that a shape that stands by itself is asked for.
-void CompiledSolid::first_leaf_event(const Node& node, const Ray& ray, Range range, EventList& out) const {
+void CompiledSolid::first_leaf_event(const Node& node, const WorldRay& ray, Range range, EventList& out) const {
     const Leaf& leaf = leaves_[node.first];
     const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
+    const auto append = [&](const Crossing& c, bool inside_before) {
+        out.push_back(event_of(node, in_shape, c, inside_before));
+        Event& e = out.back();
+        if (!node.inverted) return;
+        e.faces_ray = !e.faces_ray;
+        e.flipped = true;
+        e.inside_after = !e.inside_after;
+    };
+    if (node.convex) {
+        Stretch stretch;
+        if (!leaf.shape->stretch(in_shape, range, stretch)) return;
+        if (stretch.begins) append(stretch.lower, false);
+        else if (stretch.ends) append(stretch.upper, true);
+        return;
+    }
     CrossingList crossings;
     bool is_inside = leaf.shape->first_crossing(in_shape, range, crossings);
     for (const Crossing& c : crossings) {
-        if (c.visible) {
-            out.push_back(event_of(node, in_shape, c, is_inside));
-            Event& e = out.back();
-            if (node.inverted) {
-                e.faces_ray = !e.faces_ray;
-                e.flipped = true;
-                e.inside_after = !e.inside_after;
-            }
-            return;
-        }
+        if (c.visible) return append(c, is_inside);
         if (c.toggles) is_inside = !is_inside;
     }
 }
@@ -164,7 +161,7 @@ struct CompiledSolid::Sweep {
 
 /// Adds the events of children[place]; false if they make an intersection's outcome certain: nowhere inside, and
 /// nothing to be seen.
-bool CompiledSolid::child_events(const Node& node, const ChildList& children, std::size_t place, const Ray& ray,
+bool CompiledSolid::child_events(const Node& node, const ChildList& children, std::size_t place, const WorldRay& ray,
                                  Range range, EventList& all, ChildStates& states) const {
     const std::size_t first = all.size();
     const bool is_inside = events(node.first + children[place], ray, range, all);
@@ -176,7 +173,7 @@ bool CompiledSolid::child_events(const Node& node, const ChildList& children, st
 /// All children's events where only what is inside of all matters; false if nothing is. Quick shapes come first, and
 /// each child is asked for what lies inside of those before it: what it is elsewhere can't be seen, nor make the whole
 /// inside, for one of those is outside there.
-bool CompiledSolid::common_events(const Node& node, const ChildList& children, const Ray& ray, Range range,
+bool CompiledSolid::common_events(const Node& node, const ChildList& children, const WorldRay& ray, Range range,
                                   EventList& all, ChildStates& states) const {
     Range inside_quick = range;
     Range part = range;
@@ -203,7 +200,7 @@ bool CompiledSolid::common_events(const Node& node, const ChildList& children, c
     return true;
 }
 
-bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
+bool CompiledSolid::group_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const {
     if (node.convex_parts) return convex_events(node, ray, range, out);
     const bool is_common = node.combination == Combination::common || node.combination == Combination::clipped;
     ChildList children;
@@ -213,7 +210,7 @@ bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, 
     } else {
         // In the children's order, which decides among faces that coincide.
         Range whole = range;
-        trees_[node.tree].along(ray, whole, [&](std::uint32_t child) { children.push_back(child); });
+        trees_[node.tree].along(ray, ray.inverse, whole, [&](std::uint32_t child) { children.push_back(child); });
         std::sort(children.begin(), children.end());
         unmet_inside = node.always_inside;
         for (const std::uint32_t child : children)
@@ -246,7 +243,8 @@ bool CompiledSolid::group_events(const Node& node, const Ray& ray, Range range, 
     return starts_inside;
 }
 
-void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& range, std::optional<Event>& best) const {
+void CompiledSolid::nearest_event(std::uint32_t index, const WorldRay& ray, Range& range,
+                                  std::optional<Event>& best) const {
     const Node& node = nodes_[index];
     if (!may_meet(node, ray, range)) return;
     if (node.combination == Combination::combined && !node.inverted) {
@@ -254,7 +252,7 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
             for (std::uint32_t child = 0; child < node.count; ++child)
                 nearest_event(node.first + child, ray, range, best);
         else
-            trees_[node.tree].along(ray, range,
+            trees_[node.tree].along(ray, ray.inverse, range,
                                     [&](std::uint32_t child) { nearest_event(node.first + child, ray, range, best); });
         return;
     }
@@ -291,7 +289,33 @@ void CompiledSolid::nearest_event(std::uint32_t index, const Ray& ray, Range& ra
     }
 }
 
-bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) const {
+/// Whether a node that is clipped to the stretch `kept` of `range` shows there, and not at the ends alone; `found`:
+/// whether it may show at all.
+bool CompiledSolid::any_off_ends(const Node& node, const WorldRay& ray, Range range, Range kept, bool& found) const {
+    const Range search = widened(kept, ray, range);
+    if (node.combination != Combination::leaf) {
+        found = any_event(static_cast<std::uint32_t>(&node - nodes_.data()), ray, search);
+        return false;
+    }
+    if (!may_meet(node, ray, search)) return false;
+    const Leaf& leaf = leaves_[node.first];
+    const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
+    const auto is_clear = [&](double t) {
+        found = true;
+        return is_off_ends(kept, range, ray, t);
+    };
+    if (node.convex) {
+        Stretch stretch;
+        return leaf.shape->stretch(in_shape, search, stretch) &&
+               ((stretch.begins && is_clear(stretch.lower.t)) || (stretch.ends && is_clear(stretch.upper.t)));
+    }
+    CrossingList crossings;
+    leaf.shape->first_crossing(in_shape, search, crossings);
+    return std::any_of(crossings.begin(), crossings.end(),
+                       [&](const Crossing& c) { return c.visible && is_clear(c.t); });
+}
+
+bool CompiledSolid::any_event(std::uint32_t index, const WorldRay& ray, Range range) const {
     const Node& node = nodes_[index];
     if (!may_meet(node, ray, range)) return false;
     if (node.combination == Combination::combined && !node.inverted) {
@@ -301,7 +325,7 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
                 found = any_event(node.first + child, ray, range);
         } else {
             Range rest = range;
-            trees_[node.tree].along(ray, rest, [&](std::uint32_t child) {
+            trees_[node.tree].along(ray, ray.inverse, rest, [&](std::uint32_t child) {
                 found = found || any_event(node.first + child, ray, range);
                 if (found) rest.upper = -kInfinity;
             });
@@ -310,7 +334,10 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
     }
     if (node.convex_clips && !node.inverted) {
         const Range kept = range_of_clips(node, ray, range);
-        if (kept.empty() || !any_event(node.first, ray, widened(kept, ray, range))) return false;
+        if (kept.empty()) return false;
+        bool found = false;
+        if (any_off_ends(nodes_[node.first], ray, range, kept, found)) return true;
+        if (!found) return false;
         const auto shrunk = [&](double t, double by) { return t + by * 10 * coincidence_tolerance(ray, t); };
         const Range sure{kept.lower == range.lower ? range.lower : shrunk(kept.lower, 1),
                          kept.upper == range.upper ? range.upper : shrunk(kept.upper, -1)};
@@ -318,8 +345,13 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
     }
     if (node.combination == Combination::leaf) {
         const Leaf& leaf = leaves_[node.first];
+        const Ray in_shape = transform_ray(leaf.shape_from_world, ray);
+        if (node.convex) {
+            Stretch stretch;
+            return leaf.shape->stretch(in_shape, range, stretch) && (stretch.begins || stretch.ends);
+        }
         CrossingList crossings;
-        leaf.shape->first_crossing(transform_ray(leaf.shape_from_world, ray), range, crossings);
+        leaf.shape->first_crossing(in_shape, range, crossings);
         return std::any_of(crossings.begin(), crossings.end(), [](const Crossing& c) { return c.visible; });
     }
     EventList list;
@@ -327,7 +359,8 @@ bool CompiledSolid::any_event(std::uint32_t index, const Ray& ray, Range range) 
     return std::any_of(list.begin(), list.end(), [](const Event& e) { return e.visible; });
 }
 
-std::optional<Hit> CompiledSolid::nearest(const Ray& ray, Range range) const {
+std::optional<Hit> CompiledSolid::nearest(const Ray& asked_ray, Range range) const {
+    const WorldRay ray(asked_ray);
     std::optional<Event> best;
     const Range asked = range;
     nearest_event(0, ray, range, best);
@@ -335,14 +368,19 @@ std::optional<Hit> CompiledSolid::nearest(const Ray& ray, Range range) const {
     return hit_of(*best, ray);
 }
 
-bool CompiledSolid::any(const Ray& ray, Range range) const { return any_event(0, ray, range); }
+bool CompiledSolid::any(const Ray& ray, Range range) const { return any_event(0, WorldRay(ray), range); }
 
-Hit CompiledSolid::hit_of(const Event& event, const Ray& ray) const {
+Hit CompiledSolid::hit_of(const Event& event, const WorldRay& ray) const {
     const Leaf& leaf = leaves_[event.leaf];
     Hit hit;
     hit.t = event.crossing.t;
     const Vec3d in_shape = transform_ray(leaf.shape_from_world, ray).at(hit.t);
-    const auto to_world = [&](Vec3d n) { return normalize(transform_normal(leaf.shape_from_world, normalize(n))); };
+    const auto to_world = [&](Vec3d n) {
+        // Slopes of polynomials and fractals may be so long that their squares overflow.
+        const double squared = dot(n, n);
+        if (!(squared > 1e-60 && squared < 1e60)) n = normalize(n);
+        return normalize(transform_normal(leaf.shape_from_world, n));
+    };
     const Vec3d carried = to_world(leaf.shape->normal(in_shape, event.crossing));
     hit.normal = event.flipped ? -carried : carried;
     if (event.crossing.toggles) {
@@ -361,6 +399,7 @@ Hit CompiledSolid::hit_of(const Event& event, const Ray& ray) const {
     const std::uint32_t own = leaf.shape->material(in_shape, event.crossing);
     hit.material = own != scene::Solid::kInherited ? own : leaf.material;
     if (!event.faces_ray && leaf.interior_material != scene::Solid::kInherited) hit.material = leaf.interior_material;
+    if (!leaf.needs_uv) return hit;
     const std::array<double, 2> uv = leaf.shape->uv(in_shape, event.crossing);
     hit.u = uv[0];
     hit.v = uv[1];

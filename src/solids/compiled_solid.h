@@ -2,7 +2,9 @@
 // An exact solid, ready for rays: shapes placed in the world and the tree of what is made of them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,7 +22,7 @@ struct Hit {
     double t = 0;
     Vec3d normal;                ///< Unit, world space, out of the solid.
     std::uint32_t material = 0;  ///< Into Scene::materials.
-    double u = 0, v = 0;         ///< Texture coordinates.
+    double u = 0, v = 0;         ///< Texture coordinates; 0 where the leaf's materials need none.
 };
 
 /// How the children of a node are put together.
@@ -41,12 +43,14 @@ public:
         Affine3d shape_from_world;
         std::uint32_t material = 0;
         std::uint32_t interior_material = scene::Solid::kInherited;
+        bool needs_uv = true;  ///< Its materials may look at texture coordinates.
     };
     struct Node {
         Combination combination = Combination::leaf;
         bool inverted = false;
         bool state_beyond = false;  ///< Whether points off `active` are inside.
         bool quick = false;         ///< A shape that is_quick().
+        bool convex = false;        ///< A shape that is_convex().
         bool convex_parts = false;  ///< What convex shapes, or all but them, have in common.
         bool convex_clips = false;  ///< Clipped by convex shapes alone: to one stretch of a ray.
         std::uint32_t first = 0;    ///< Into leaves, or into nodes: the first child; siblings are neighbours.
@@ -98,38 +102,45 @@ private:
     /// Crossings so near to each other, relative to the distances in question, are at one place: faces that were meant
     /// to coincide differ by rounding only.
     static constexpr double kCoincident = 1e-10;
-    static double coincidence_tolerance(const Ray& ray, double t);
-    static Range widened(Range part, const Ray& ray, Range whole);
+    static double coincidence_tolerance(const WorldRay& ray, double t) {
+        return kCoincident * (std::abs(t) + ray.distance);
+    }
+    /// `part` of a range with room for rounding at both ends.
+    static Range widened(Range part, const WorldRay& ray, Range whole) {
+        return {std::max(whole.lower, part.lower - 10 * coincidence_tolerance(ray, part.lower)),
+                std::min(whole.upper, part.upper + 10 * coincidence_tolerance(ray, part.upper))};
+    }
     /// Whether a place in `whole` does not coincide with an end of its part.
-    static bool is_off_ends(Range part, Range whole, const Ray& ray, double t) {
+    static bool is_off_ends(Range part, Range whole, const WorldRay& ray, double t) {
         const double near = 10 * coincidence_tolerance(ray, t);
         return (part.lower == whole.lower || t > part.lower + near) &&
                (part.upper == whole.upper || t < part.upper - near);
     }
 
     /// Whether the ray may meet the node: comes through its active box and its gate.
-    [[nodiscard]] bool may_meet(const Node& node, const Ray& ray, Range range) const {
+    [[nodiscard]] bool may_meet(const Node& node, const WorldRay& ray, Range range) const {
         return (node.unbounded || !clip(node.active, ray, range).empty()) && passes_gate(node, ray, range);
     }
-    [[nodiscard]] bool passes_gate(const Node& node, const Ray& ray, Range range) const {
+    [[nodiscard]] bool passes_gate(const Node& node, const WorldRay& ray, Range range) const {
         return node.gate == kNoGate || !clip(gates_[node.gate], ray, {range.lower, kInfinity}).empty();
     }
-    bool events(std::uint32_t node, const Ray& ray, Range range, EventList& out) const;
+    bool events(std::uint32_t node, const WorldRay& ray, Range range, EventList& out) const;
     [[nodiscard]] Event event_of(const Node& node, const Ray& in_shape, const Crossing& crossing,
                                  bool inside_before) const;
-    void first_leaf_event(const Node& node, const Ray& ray, Range range, EventList& out) const;
-    bool leaf_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
-    bool child_events(const Node& node, const ChildList& children, std::size_t place, const Ray& ray, Range range,
+    void first_leaf_event(const Node& node, const WorldRay& ray, Range range, EventList& out) const;
+    bool leaf_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const;
+    bool child_events(const Node& node, const ChildList& children, std::size_t place, const WorldRay& ray, Range range,
                       EventList& all, ChildStates& states) const;
-    bool common_events(const Node& node, const ChildList& children, const Ray& ray, Range range, EventList& all,
+    bool common_events(const Node& node, const ChildList& children, const WorldRay& ray, Range range, EventList& all,
                        ChildStates& states) const;
-    bool convex_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
-    [[nodiscard]] Range range_of_clips(const Node& node, const Ray& ray, Range range) const;
-    bool group_events(const Node& node, const Ray& ray, Range range, EventList& out) const;
-    void nearest_event(std::uint32_t node, const Ray& ray, Range& range, std::optional<Event>& best) const;
-    [[nodiscard]] bool any_event(std::uint32_t node, const Ray& ray, Range range) const;
+    bool convex_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const;
+    [[nodiscard]] Range range_of_clips(const Node& node, const WorldRay& ray, Range range) const;
+    bool group_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const;
+    void nearest_event(std::uint32_t node, const WorldRay& ray, Range& range, std::optional<Event>& best) const;
+    bool any_off_ends(const Node& node, const WorldRay& ray, Range range, Range kept, bool& found) const;
+    [[nodiscard]] bool any_event(std::uint32_t node, const WorldRay& ray, Range range) const;
     [[nodiscard]] bool inside_node(std::uint32_t node, Vec3d point) const;
-    [[nodiscard]] Hit hit_of(const Event& event, const Ray& ray) const;
+    [[nodiscard]] Hit hit_of(const Event& event, const WorldRay& ray) const;
 
     std::vector<Node> nodes_;  ///< The root is first.
     std::vector<Leaf> leaves_;
@@ -142,9 +153,11 @@ private:
 /// Flattens a solid: every shape gets its place in the world, every leaf its material (its own, else the nearest
 /// group's above it, else `material`). Errors: InputError for shapes that can't be, singular transforms, and groups
 /// nested more than 1,000 deep.
-/// `textures` are the scene's, for functions of pigments.
+/// `textures` are the scene's, for functions of pigments; `needs_uv` says which materials look at texture coordinates
+/// (left out: all).
 std::shared_ptr<const CompiledSolid> compile_solid(const scene::Solid& solid, std::uint32_t material,
-                                                   std::span<const scene::Texture> textures = {});
+                                                   std::span<const scene::Texture> textures = {},
+                                                   const std::function<bool(std::uint32_t)>& needs_uv = {});
 
 /// Whether a solid is a flat union whose children may as well be objects of their own (POV-Ray's split_union): a
 /// combined group that is neither inverted nor clipped.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cones, their frustums, and cylinders.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solids/shape.h"
@@ -21,44 +22,19 @@ public:
           slope_((cap_radius_ - base_radius_) / height_),
           open_(c.open) {}
 
-    // Inside: between the two end planes, and nearer to the axis than a radius that is linear along it. The slab never
-    // reaches beyond the apex, so what is inside along a ray is one interval (two that touch where it meets the apex).
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
-        Crossing enter;
-        Crossing leave;
-        if (!slab(ray, enter, leave)) return false;
-        // Seen from the ray's point nearest to the frustum's middle, rounding is least.
-        const double t_near = std::clamp(
-            dot(base_ + axis_ * (height_ / 2) - ray.origin, ray.direction) / dot(ray.direction, ray.direction), enter.t,
-            leave.t);
-        const Vec3d from_base = ray.at(t_near) - base_;
-        const double z = dot(from_base, axis_);
-        const double dz = dot(ray.direction, axis_);
-        const Vec3d off_axis = from_base - axis_ * z;
-        const Vec3d d_off_axis = ray.direction - axis_ * dz;
-        const double radius = base_radius_ + slope_ * z;
-        const double d_radius = slope_ * dz;
-        // a*s^2 + 2*b*s + c < 0 is inside, t = t_near + s.
-        const double a = dot(d_off_axis, d_off_axis) - d_radius * d_radius;
-        const double b = dot(off_axis, d_off_axis) - radius * d_radius;
-        const double c = dot(off_axis, off_axis) - radius * radius;
-        const double discriminant = b * b - a * c;
-        if (a == 0 && b == 0) return c < 0 && append_interval(enter, leave, range, out);
-        if (a == 0) {
-            const Crossing root{t_near - c / (2 * b)};
-            return b > 0 ? append_clipped(enter, earlier(root, leave), range, out)
-                         : append_clipped(later(enter, root), leave, range, out);
-        }
-        if (!(discriminant > 0)) return a < 0 && append_interval(enter, leave, range, out);
-        const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-        const double s0 = q / a;
-        const double s1 = q != 0 ? c / q : -s0;
-        const Crossing first{t_near + std::min(s0, s1)};
-        const Crossing second{t_near + std::max(s0, s1)};
-        if (a > 0) return append_clipped(later(enter, first), earlier(second, leave), range, out);
-        const bool in_first = append_clipped(enter, earlier(first, leave), range, out);
-        const bool in_second = append_clipped(later(enter, second), leave, range, out);
-        return in_first || in_second;
+        std::array<Piece, 2> inside;
+        const int count = pieces(ray, inside);
+        bool starts_inside = false;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+            if (append_interval(inside[i].lower, inside[i].upper, range, out)) starts_inside = true;
+        return starts_inside;
+    }
+    bool stretch(const Ray& ray, Range range, Stretch& out) const override {
+        std::array<Piece, 2> inside;
+        const int count = pieces(ray, inside);
+        return count > 0 &&
+               stretch_between(inside[0].lower, inside[static_cast<std::size_t>(count - 1)].upper, range, out);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
     [[nodiscard]] bool is_convex() const override { return !open_; }
@@ -94,6 +70,55 @@ public:
     }
 
 private:
+    struct Piece {
+        Crossing lower, upper;
+    };
+
+    // Inside: between the two end planes, and nearer to the axis than a radius that is linear along it. The slab never
+    // reaches beyond the apex, so what is inside along a ray is one interval (two that touch where it meets the apex).
+    int pieces(const Ray& ray, std::array<Piece, 2>& out) const {
+        Crossing enter;
+        Crossing leave;
+        if (!slab(ray, enter, leave)) return 0;
+        // Seen from the ray's point nearest to the frustum's middle, rounding is least.
+        const double t_near = std::clamp(
+            dot(base_ + axis_ * (height_ / 2) - ray.origin, ray.direction) / dot(ray.direction, ray.direction), enter.t,
+            leave.t);
+        const Vec3d from_base = ray.at(t_near) - base_;
+        const double z = dot(from_base, axis_);
+        const double dz = dot(ray.direction, axis_);
+        const Vec3d off_axis = from_base - axis_ * z;
+        const Vec3d d_off_axis = ray.direction - axis_ * dz;
+        const double radius = base_radius_ + slope_ * z;
+        const double d_radius = slope_ * dz;
+        // a*s^2 + 2*b*s + c < 0 is inside, t = t_near + s.
+        const double a = dot(d_off_axis, d_off_axis) - d_radius * d_radius;
+        const double b = dot(off_axis, d_off_axis) - radius * d_radius;
+        const double c = dot(off_axis, off_axis) - radius * radius;
+        const double discriminant = b * b - a * c;
+        const auto one = [&](const Crossing& lower, const Crossing& upper) {
+            out[0] = {lower, upper};
+            return lower.t < upper.t ? 1 : 0;
+        };
+        if (a == 0 && b == 0) return c < 0 ? one(enter, leave) : 0;
+        if (a == 0) {
+            const Crossing root{t_near - c / (2 * b)};
+            return b > 0 ? one(enter, earlier(root, leave)) : one(later(enter, root), leave);
+        }
+        if (!(discriminant > 0)) return a < 0 ? one(enter, leave) : 0;
+        const double q = -(b + std::copysign(std::sqrt(discriminant), b));
+        const double s0 = q / a;
+        const double s1 = q != 0 ? c / q : -s0;
+        const Crossing first{t_near + std::min(s0, s1)};
+        const Crossing second{t_near + std::max(s0, s1)};
+        if (a > 0) return one(later(enter, first), earlier(second, leave));
+        const int before = one(enter, earlier(first, leave));
+        const Piece behind{later(enter, second), leave};
+        if (!(behind.lower.t < behind.upper.t)) return before;
+        out[static_cast<std::size_t>(before)] = behind;
+        return before + 1;
+    }
+
     /// Where the ray is between the end planes; false where nowhere.
     bool slab(const Ray& ray, Crossing& enter, Crossing& leave) const {
         const double z = dot(ray.origin - base_, axis_);
@@ -111,9 +136,6 @@ private:
     }
     static Crossing later(const Crossing& a, const Crossing& b) { return a.t >= b.t ? a : b; }
     static Crossing earlier(const Crossing& a, const Crossing& b) { return b.t <= a.t ? b : a; }
-    static bool append_clipped(const Crossing& a, const Crossing& b, Range range, CrossingList& out) {
-        return a.t < b.t && append_interval(a, b, range, out);
-    }
 
     Vec3d base_;
     double height_;

@@ -9,12 +9,12 @@
 namespace sundog::solids {
 namespace {
 
-/// An end of an interval; without a crossing it is the range's own.
+/// An end of what is kept; without a crossing it is the range's own.
 struct End {
     Crossing crossing;
-    std::uint32_t leaf = 0;
-    bool flipped = false;
-    bool exists = false;
+    std::uint32_t leaf;
+    bool flipped;
+    bool exists;
     [[nodiscard]] double t(double otherwise) const { return exists ? crossing.t : otherwise; }
 };
 
@@ -22,56 +22,43 @@ struct Interval {
     End lower, upper;
 };
 
-/// The part of a ray that is inside a convex shape, from its crossings.
-Interval interval_of(const CrossingList& crossings, bool starts_inside, std::uint32_t leaf, bool flipped) {
-    Interval out;
-    if (!starts_inside) out.lower = {crossings[0], leaf, flipped, true};
-    // The last one ends it: rounding may tear it in two, as at a cone's apex.
-    const bool ends_inside = (crossings.size() % 2 == 0) == starts_inside;
-    if (!ends_inside) out.upper = {crossings.back(), leaf, flipped, true};
-    return out;
+Interval interval_of(const Stretch& stretch, std::uint32_t leaf, bool flipped) {
+    return {{stretch.lower, leaf, flipped, stretch.begins}, {stretch.upper, leaf, flipped, stretch.ends}};
 }
 
 }  // namespace
 
 /// The part of `range` that lies inside all of a clipped node's clips; empty where there is none.
-Range CompiledSolid::range_of_clips(const Node& node, const Ray& ray, Range range) const {
+Range CompiledSolid::range_of_clips(const Node& node, const WorldRay& ray, Range range) const {
     for (std::uint32_t child = node.first + 1; child < node.first + node.count; ++child) {
         const Node& part = nodes_[child];
         const Range none{1, 0};
         if (!may_meet(part, ray, range)) return none;
         const Leaf& leaf = leaves_[part.first];
-        CrossingList crossings;
-        const bool starts_inside = leaf.shape->crossings(transform_ray(leaf.shape_from_world, ray), range, crossings);
-        if (!starts_inside && crossings.empty()) return none;
-        const Interval inside = interval_of(crossings, starts_inside, part.first, false);
-        range.lower = std::max(range.lower, inside.lower.t(range.lower));
-        range.upper = std::min(range.upper, inside.upper.t(range.upper));
+        Stretch inside;
+        if (!leaf.shape->stretch(transform_ray(leaf.shape_from_world, ray), range, inside)) return none;
+        if (inside.begins) range.lower = std::max(range.lower, inside.lower.t);
+        if (inside.ends) range.upper = std::min(range.upper, inside.upper.t);
     }
     return range;
 }
 
-bool CompiledSolid::convex_events(const Node& node, const Ray& ray, Range range, EventList& out) const {
-    const double off = std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction));
-    const auto tolerance = [&](double t) { return kCoincident * (std::abs(t) + off); };
-    Interval kept;
+bool CompiledSolid::convex_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const {
+    const auto tolerance = [&](double t) { return coincidence_tolerance(ray, t); };
+    Interval kept{};
     SmallVector<Interval, 8> cuts;
     for (std::uint32_t child = node.first; child < node.first + node.count; ++child) {
         const Node& part = nodes_[child];
-        CrossingList crossings;
-        const bool met = may_meet(part, ray, range);
-        bool starts_inside = false;
-        if (met) {
-            const Leaf& leaf = leaves_[part.first];
-            starts_inside = leaf.shape->crossings(transform_ray(leaf.shape_from_world, ray), range, crossings);
-        }
-        const bool never_inside = !starts_inside && crossings.empty();
+        const Leaf& leaf = leaves_[part.first];
+        Stretch stretch;
+        const bool met = may_meet(part, ray, range) &&
+                         leaf.shape->stretch(transform_ray(leaf.shape_from_world, ray), range, stretch);
         if (part.inverted) {
-            if (!never_inside) cuts.push_back(interval_of(crossings, starts_inside, part.first, true));
+            if (met) cuts.push_back(interval_of(stretch, part.first, true));
             continue;
         }
-        if (never_inside) return false;
-        const Interval own = interval_of(crossings, starts_inside, part.first, false);
+        if (!met) return false;
+        const Interval own = interval_of(stretch, part.first, false);
         // Of faces that coincide, the first child's counts.
         if (own.lower.exists &&
             (!kept.lower.exists || own.lower.crossing.t > kept.lower.crossing.t + tolerance(own.lower.crossing.t)))

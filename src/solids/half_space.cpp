@@ -40,6 +40,16 @@ public:
         }
         return (t <= range.lower) == (speed < 0);
     }
+    bool stretch(const Ray& ray, Range range, Stretch& out) const override {
+        const double speed = dot(normal_, ray.direction);
+        out.begins = out.ends = false;
+        if (speed == 0) return dot(normal_, ray.at(range.lower)) < distance_;
+        const double t = (distance_ - dot(normal_, ray.origin)) / speed;
+        if (!range.contains(t)) return (t <= range.lower) == (speed < 0);
+        (speed < 0 ? out.begins : out.ends) = true;
+        (speed < 0 ? out.lower : out.upper) = {t};
+        return true;
+    }
     [[nodiscard]] bool is_quick() const override { return true; }
     [[nodiscard]] bool is_convex() const override { return true; }
     [[nodiscard]] bool inside(Vec3d p) const override { return dot(normal_, p) < distance_; }

@@ -53,9 +53,9 @@ public:
         const Bounds3d column{{0, water_ - margin_, 0}, {1, box_.upper.y + margin_, 1}};
         const Range within = clip(column, ray, {-kInfinity, kInfinity});
         if (!(within.lower < within.upper) || within.upper <= range.lower || within.lower >= range.upper) return false;
-        Walk walk{ray, range, within, out, only_first};
+        Walk walk{ray, range, within, out, 1 / ray.direction.x, 1 / ray.direction.z, only_first};
         const auto top = static_cast<std::uint32_t>(levels_.size() - 1);
-        visit(top, 0, 0, within, walk);
+        visit(top, 0, 0, within, {ray.at(within.lower).y, ray.at(within.upper).y}, walk);
         if (walk.below && !walk.done) walk.toggle({within.upper, 0, 0, kNoCell, true, false});
         return walk.starts_inside;
     }
@@ -82,6 +82,7 @@ private:
         const Ray& ray;
         Range range, within;
         CrossingList& out;
+        double inverse_x, inverse_z;  ///< Of the direction.
         bool only_first = false;
         bool done = false;   ///< Nothing more is asked for.
         bool below = false;  ///< Under the ground, where the walk has come to.
@@ -174,37 +175,38 @@ private:
         return level;
     }
 
-    /// Where along the ray a line between cells is met.
-    static double t_at(double o, double d, double place) { return (place - o) / d; }
-
-    void visit(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within, Walk& walk) const {
-        if (walk.done) return;
+    /// Goes through a square that the ray enters and leaves at heights `y`, by its quarters in the ray's order.
+    void visit(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within, std::array<double, 2> y,
+               Walk& walk) const {
         const std::array<float, 2>& extent = levels_[level].extent[std::size_t{row} * levels_[level].columns + column];
-        const double y0 = walk.ray.origin.y + walk.ray.direction.y * within.lower;
-        const double y1 = walk.ray.origin.y + walk.ray.direction.y * within.upper;
-        const auto first_cell =
-            static_cast<std::uint32_t>((std::size_t{row} << level) * columns_ + (std::size_t{column} << level));
-        if (std::min(y0, y1) > extent[1]) return walk.arrive(within.lower, false, first_cell);
-        if (std::max(y0, y1) < extent[0]) return walk.arrive(within.lower, true, first_cell);
+        const bool above = std::min(y[0], y[1]) > extent[1];
+        if (above || std::max(y[0], y[1]) < extent[0]) {
+            const std::size_t first_cell = (std::size_t{row} << level) * columns_ + (std::size_t{column} << level);
+            return walk.arrive(within.lower, !above, static_cast<std::uint32_t>(first_cell));
+        }
         if (level == 0) return walk_cell(column, row, within, walk);
-        // The four quarters in the ray's order: cut at the two middle lines.
+        // Cut at the two middle lines.
         const std::uint32_t below = level - 1;
-        const double middle_x = static_cast<double>((2 * column + 1) << below) / columns_;
-        const double middle_z = 1 - static_cast<double>((2 * row + 1) << below) / rows_;
-        SmallVector<double, 4> cuts;
-        cuts.push_back(within.lower);
-        const double t_x = t_at(walk.ray.origin.x, walk.ray.direction.x, middle_x);
-        const double t_z = t_at(walk.ray.origin.z, walk.ray.direction.z, middle_z);
+        const double middle_x = static_cast<double>((2 * column + 1) << below) * cell_width_;
+        const double middle_z = 1 - static_cast<double>((2 * row + 1) << below) * cell_depth_;
+        const double t_x = (middle_x - walk.ray.origin.x) * walk.inverse_x;
+        const double t_z = (middle_z - walk.ray.origin.z) * walk.inverse_z;
+        std::array<double, 3> ends{within.upper, within.upper, within.upper};
+        std::size_t count = 0;
         for (const double t : {std::min(t_x, t_z), std::max(t_x, t_z)})
-            if (t > within.lower && t < within.upper) cuts.push_back(t);
-        cuts.push_back(within.upper);
-        for (std::size_t i = 1; i < cuts.size(); ++i) {
-            if (!(cuts[i - 1] < cuts[i])) continue;
-            const Vec3d p = walk.ray.at(0.5 * (cuts[i - 1] + cuts[i]));
-            const std::uint32_t child_column =
-                std::min(2 * column + (p.x > middle_x ? 1 : 0), levels_[below].columns - 1);
-            const std::uint32_t child_row = std::min(2 * row + (p.z < middle_z ? 1 : 0), levels_[below].rows - 1);
-            visit(below, child_column, child_row, {cuts[i - 1], cuts[i]}, walk);
+            if (t > within.lower && t < within.upper) ends[count++] = t;
+        double from = within.lower;
+        double y_from = y[0];
+        for (std::size_t i = 0; i <= count && !walk.done; ++i) {
+            const double to = ends[i];
+            if (!(from < to)) continue;
+            const double half = 0.5 * (from + to);
+            const bool right = walk.ray.origin.x + walk.ray.direction.x * half > middle_x;
+            const bool front = walk.ray.origin.z + walk.ray.direction.z * half < middle_z;
+            const double y_to = walk.ray.origin.y + walk.ray.direction.y * to;
+            visit(below, std::min(2 * column + (right ? 1 : 0), levels_[below].columns - 1),
+                  std::min(2 * row + (front ? 1 : 0), levels_[below].rows - 1), {from, to}, {y_from, y_to}, walk);
+            from = to, y_from = y_to;
         }
     }
     void walk_cell(std::uint32_t column, std::uint32_t row, Range within, Walk& walk) const {
@@ -233,6 +235,7 @@ private:
     }
 
     std::uint32_t columns_, rows_;  ///< Cells.
+    double cell_width_ = 1.0 / columns_, cell_depth_ = 1.0 / rows_;
     std::shared_ptr<const std::vector<float>> heights_;
     bool smooth_;
     double water_;

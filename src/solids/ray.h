@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -23,6 +24,16 @@ struct Ray {
 inline Ray transform_ray(const Affine3d& m, const Ray& ray) {
     return {transform_point(m, ray.origin), transform_vector(m, ray.direction)};
 }
+
+/// A ray with what is asked of it again and again on its way through a solid's nodes.
+struct WorldRay : Ray {
+    Vec3d inverse;    ///< Of the direction; infinite along axes where that is 0.
+    double distance;  ///< Of the ray's origin from the world's, in steps of the direction.
+    explicit WorldRay(const Ray& ray)
+        : Ray(ray),
+          inverse{1 / ray.direction.x, 1 / ray.direction.y, 1 / ray.direction.z},
+          distance(std::sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction))) {}
+};
 
 /// An interval of a ray's parameter; crossings at its ends don't count.
 struct Range {
@@ -51,6 +62,22 @@ inline bool append_interval(const Crossing& lower, const Crossing& upper, Range 
     // Not asked of the upper end alone: an interval that begins after the range does not end in it.
     if (range.contains(upper.t) && lower.t < range.upper) out.push_back(upper);
     return starts_inside;
+}
+
+/// The stretch of a ray that is inside a convex shape, as far as it lies in a range: between two crossings, or from or
+/// to beyond the range.
+struct Stretch {
+    Crossing lower, upper;
+    bool begins = false, ends = false;  ///< Whether `lower` and `upper` are there.
+};
+
+/// The part in `range` of what is inside between two crossings with lower.t <= upper.t; false where there is none.
+inline bool stretch_between(const Crossing& lower, const Crossing& upper, Range range, Stretch& out) {
+    out.begins = range.contains(lower.t);
+    out.ends = range.contains(upper.t) && lower.t < range.upper;
+    if (out.begins) out.lower = lower;
+    if (out.ends) out.upper = upper;
+    return out.begins || (lower.t <= range.lower && upper.t > range.lower);
 }
 
 }  // namespace sundog::solids

@@ -31,6 +31,9 @@ public:
     virtual bool first_crossing(const Ray& ray, Range range, CrossingList& out) const {
         return crossings(ray, range, out);
     }
+    /// Of convex shapes: the stretch of a ray inside; false where nothing of it lies in `range`, whose lower end is
+    /// finite. As crossings() would tell.
+    virtual bool stretch(const Ray& ray, Range range, Stretch& out) const;
     /// Whether a point is inside; never for mere surfaces.
     [[nodiscard]] virtual bool inside(Vec3d point) const = 0;
     /// Normal at a crossing, of any length; outward, unless the shape can't tell (then the ray's passage decides).

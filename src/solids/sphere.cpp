@@ -15,13 +15,12 @@ public:
     // The discriminant is taken from the ray's closest point to the centre (Haines, Günther, Akenine-Möller: Precision
     // Improvements for Ray/Sphere Intersection, Ray Tracing Gems 2019, chapter 7).
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
-        const double a = dot(ray.direction, ray.direction);
-        const double middle = dot(center_ - ray.origin, ray.direction) / a;
-        const Vec3d offset = ray.at(middle) - center_;
-        const double discriminant = radius_ * radius_ - dot(offset, offset);
-        if (!(discriminant > 0)) return false;
-        const double half = std::sqrt(discriminant / a);
-        return append_interval({middle - half}, {middle + half}, range, out);
+        double lower, upper;
+        return ends(ray, lower, upper) && append_interval({lower}, {upper}, range, out);
+    }
+    bool stretch(const Ray& ray, Range range, Stretch& out) const override {
+        double lower, upper;
+        return ends(ray, lower, upper) && stretch_between({lower}, {upper}, range, out);
     }
     [[nodiscard]] bool is_quick() const override { return true; }
     [[nodiscard]] bool is_convex() const override { return true; }
@@ -45,6 +44,18 @@ public:
     }
 
 private:
+    /// Where the ray goes in and out; false where it misses the sphere.
+    bool ends(const Ray& ray, double& lower, double& upper) const {
+        const double a = dot(ray.direction, ray.direction);
+        const double middle = dot(center_ - ray.origin, ray.direction) / a;
+        const Vec3d offset = ray.at(middle) - center_;
+        const double discriminant = radius_ * radius_ - dot(offset, offset);
+        if (!(discriminant > 0)) return false;
+        const double half = std::sqrt(discriminant / a);
+        lower = middle - half, upper = middle + half;
+        return true;
+    }
+
     Vec3d center_;
     double radius_;
 };
