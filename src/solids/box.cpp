@@ -81,6 +81,9 @@ public:
         }
         return {(column + s) / 4, (row + t) / 3};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::box, {}}.add(box_.lower).add(box_.upper);
+    }
 
 private:
     /// A box without thickness is a surface, as povray shows it.

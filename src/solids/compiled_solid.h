@@ -41,6 +41,7 @@ public:
         Affine3d shape_from_world;
         std::uint32_t material = 0;
         std::uint32_t interior_material = scene::Solid::kInherited;
+        const char* kind = "";  ///< What messages call the shape: "a cone".
     };
     struct Node {
         Combination combination = Combination::leaf;
@@ -71,6 +72,7 @@ public:
 
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
+    [[nodiscard]] const std::vector<Bounds3d>& gates() const { return gates_; }
 
 private:
     friend class SolidCompiler;

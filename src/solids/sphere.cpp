@@ -43,6 +43,9 @@ public:
         if (u < 0) u += 1;
         return {u, std::asin(std::clamp(n.y, -1.0, 1.0)) / std::numbers::pi + 0.5};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::sphere, {}}.add(center_).add(radius_);
+    }
 
 private:
     Vec3d center_;
