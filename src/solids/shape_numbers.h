@@ -17,8 +17,32 @@ namespace sundog::solids {
 ///   quadric     the symmetric matrix's xx, yy, zz, xy, xz, yz, then what is linear, then the constant
 ///   disc        center, normal (unit), radius, the hole's radius
 ///   torus       major and minor radius
+///   polynomial  order (3 to 6), how many terms; of each, exponents of x, y and z, and its coefficient
+///   polygon     normal, a point of its plane, the numbers of two axes, how many edges; of each, both ends along those
+///   prism       (no conic ones) lower and upper end, 1 if they are open, how many pieces its outlines have; of each,
+///               Bernstein's four coefficients of x and of z
+///   revolution  1 if its ends are open, lower and upper end, largest radius, how many pieces; of each, its ends and
+///   four
+///               coefficients of the square of the radius by the height above its lower end
+///   lathe       how many pieces its curve has; an open curve's two ends, radius and height (radius 0: it is closed);
+///   of
+///               each piece, Bernstein's four coefficients of the radius and of the height
 struct ShapeNumbers {
-    enum class Kind : std::uint8_t { none, sphere, box, half_space, cone, quadric, disc, torus };
+    enum class Kind : std::uint8_t {
+        none,
+        sphere,
+        box,
+        half_space,
+        cone,
+        quadric,
+        disc,
+        torus,
+        polynomial,
+        polygon,
+        prism,
+        revolution,
+        lathe
+    };
     Kind kind = Kind::none;
     std::vector<double> values;
 

@@ -19,7 +19,7 @@ import sys
 import tempfile
 
 SIZE = "160x120"
-SECONDS = 300
+SECONDS = 150
 PARITY = 1.0  # percent of the pixels that may differ by more than 2/255
 
 

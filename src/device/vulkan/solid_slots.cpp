@@ -26,6 +26,11 @@ static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::cone) == kernel::SH
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::quadric) == kernel::SHAPE_QUADRIC);
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::disc) == kernel::SHAPE_DISC);
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::torus) == kernel::SHAPE_TORUS);
+static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::polynomial) == kernel::SHAPE_POLYNOMIAL);
+static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::polygon) == kernel::SHAPE_POLYGON);
+static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::prism) == kernel::SHAPE_PRISM);
+static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::revolution) == kernel::SHAPE_REVOLUTION);
+static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::lathe) == kernel::SHAPE_LATHE);
 static_assert(scene::Solid::kInherited == kernel::NONE);
 
 std::uint64_t slot(std::uint32_t low, std::uint32_t high) { return low | (std::uint64_t{high} << 32U); }

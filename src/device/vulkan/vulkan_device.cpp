@@ -66,7 +66,8 @@ public:
         if (buffers_->solid_kinds() != 0) {
             variant.shader += kSolidShaders;
             variant.solid_kinds = buffers_->solid_kinds();
-            variant.solid_depth = (buffers_->solid_depth() + 3) / 4 * 4 + (buffers_->solid_depth() == 0 ? 4 : 0);
+            // Few different sizes, so that few variants of the shader are compiled.
+            variant.solid_depth = (buffers_->solid_depth() + 3) / 4 * 4;
         }
         variant.stack_size = buffers_->set_frame(gpu_, pipelines_, frame);
         variant.aovs = film.aovs;

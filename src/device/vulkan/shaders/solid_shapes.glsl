@@ -37,6 +37,7 @@ struct SolidSearch {
     bool with_ties;  ///< A crossing at `after` itself comes next, too.
     uint leaf;       ///< Whose crossings are being told.
     SolidCrossing next;
+    bool odd;  ///< See tell_parity().
 };
 
 void tell_crossing(double t, double u, uint part, uint flags, inout SolidSearch search) {
@@ -45,6 +46,18 @@ void tell_crossing(double t, double u, uint part, uint flags, inout SolidSearch 
 }
 
 const uint SOLID_FACE = CROSSING_TOGGLES | CROSSING_VISIBLE;
+
+/// The same for shapes whose crossings aren't told in order: from the ray's far end, outside, each one leads from
+/// outside to inside or back. Between begin_parity() and end_parity().
+void tell_parity(double t, double u, uint part, bool visible, inout SolidSearch search) {
+    bool ahead = t > search.after || (search.with_ties && t == search.after);
+    if (!ahead) search.odd = !search.odd;
+    tell_crossing(t, u, part, visible ? SOLID_FACE : CROSSING_TOGGLES, search);
+}
+void begin_parity(inout SolidSearch search) { search.odd = false; }
+void end_parity(inout SolidSearch search) {
+    if (search.next.leaf == search.leaf && !search.odd) search.next.flags |= CROSSING_ENTERS;
+}
 
 /// An end of an interval.
 struct SolidEnd {
@@ -275,6 +288,9 @@ void torus_crossings(uint numbers, SolidRay ray, inout SolidSearch search) {
     }
 }
 
+#include "device/vulkan/shaders/solid_curves.glsl"
+#include "device/vulkan/shaders/solid_polynomials.glsl"
+
 /// Tells all crossings of a shape with the ray in its own space.
 void shape_crossings(uint kind, uint numbers, SolidRay ray, inout SolidSearch search) {
     if (is_kind(kind, SHAPE_SPHERE)) sphere_crossings(numbers, ray, search);
@@ -284,6 +300,11 @@ void shape_crossings(uint kind, uint numbers, SolidRay ray, inout SolidSearch se
     if (is_kind(kind, SHAPE_QUADRIC)) quadric_crossings(numbers, ray, search);
     if (is_kind(kind, SHAPE_DISC)) disc_crossings(numbers, ray, search);
     if (is_kind(kind, SHAPE_TORUS)) torus_crossings(numbers, ray, search);
+    if (is_kind(kind, SHAPE_POLYNOMIAL)) polynomial_crossings(numbers, ray, search);
+    if (is_kind(kind, SHAPE_POLYGON)) polygon_crossings(numbers, ray, search);
+    if (is_kind(kind, SHAPE_PRISM)) prism_crossings(numbers, ray, search);
+    if (is_kind(kind, SHAPE_REVOLUTION)) revolution_crossings(numbers, ray, search);
+    if (is_kind(kind, SHAPE_LATHE)) lathe_crossings(numbers, ray, search);
 }
 
 /// Whether a point is inside; never for mere surfaces.
@@ -313,10 +334,14 @@ bool inside_shape(uint kind, uint numbers, dvec3 p) {
         double k = dot(p, p) + (major - minor) * (major + minor);
         return abs(k) < 2.0lf * major * sqrt(p.x * p.x + p.z * p.z);
     }
+    if (is_kind(kind, SHAPE_POLYNOMIAL)) return polynomial_value(numbers, p) < 0.0lf;
+    if (is_kind(kind, SHAPE_PRISM)) return prism_inside(numbers, p);
+    if (is_kind(kind, SHAPE_REVOLUTION)) return revolution_inside(numbers, p);
+    if (is_kind(kind, SHAPE_LATHE)) return lathe_inside(numbers, p);
     return false;
 }
 
-/// Normal at a crossing, of any length, outward.
+/// Normal at a crossing, of any length; outward, unless the shape can't tell (then the ray's passage decides).
 dvec3 shape_normal(uint kind, uint numbers, dvec3 p, SolidCrossing crossing) {
     if (is_kind(kind, SHAPE_SPHERE)) return p - solid_vector(numbers);
     if (is_kind(kind, SHAPE_BOX)) {
@@ -344,6 +369,11 @@ dvec3 shape_normal(uint kind, uint numbers, dvec3 p, SolidCrossing crossing) {
         double flat_part = k - 2.0lf * major * major;
         return dvec3(p.x * flat_part, p.y * k, p.z * flat_part);
     }
+    if (is_kind(kind, SHAPE_POLYNOMIAL)) return polynomial_gradient(numbers, p);
+    if (is_kind(kind, SHAPE_POLYGON)) return solid_vector(numbers);
+    if (is_kind(kind, SHAPE_PRISM)) return prism_normal(numbers, crossing);
+    if (is_kind(kind, SHAPE_REVOLUTION)) return revolution_normal(numbers, p, crossing);
+    if (is_kind(kind, SHAPE_LATHE)) return lathe_normal(numbers, p, crossing);
     return dvec3(0.0lf, 1.0lf, 0.0lf);
 }
 
@@ -379,6 +409,14 @@ vec2 shape_uv(uint kind, uint numbers, dvec3 p, SolidCrossing crossing) {
         float around = float(sqrt(p.x * p.x + p.z * p.z) - solid_number(numbers));
         float u = 0.5f - atan(q.z, q.x) * 0.159154943f;
         return vec2(u < 0.0f ? u + 1.0f : u, 0.5f + atan(q.y, around) * 0.159154943f);
+    }
+    if (is_kind(kind, SHAPE_REVOLUTION)) {
+        double lower = solid_number(numbers + 1u);
+        return vec2(turn_around_y(vec3(p)), float((p.y - lower) / (solid_number(numbers + 2u) - lower)));
+    }
+    if (is_kind(kind, SHAPE_LATHE)) {
+        float pieces = float(solid_number(numbers));
+        return vec2(turn_around_y(vec3(p)), (float(crossing.part) + float(crossing.u)) / pieces);
     }
     return vec2(0.0f);
 }

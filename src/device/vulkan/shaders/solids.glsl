@@ -4,8 +4,8 @@
 // overflow. What it means to be inside of a group, and which of coinciding faces counts, is as in solids/compiled_solid.cpp.
 
 layout(scalar, set = 0, binding = BINDING_SOLIDS) readonly restrict buffer solids_buffer { double solid_slots[]; };
-/// How deep groups lie in each other at most.
-layout(constant_id = 5) const uint solid_depth = 4u;
+/// How deep groups lie in each other at most; 0: all solids are single shapes.
+layout(constant_id = 5) const uint solid_depth = 0u;
 
 #include "device/vulkan/shaders/solid_shapes.glsl"
 
@@ -56,8 +56,8 @@ dvec3 vector_to_shape(uint leaf, dvec3 v) {
 
 /// What of two points is inside of a node: BEFORE, AFTER, both or none.
 uint solid_state(uint node, SolidRay ray, dvec3 before, dvec3 after) {
-    uint groups[solid_depth];
-    uint states[solid_depth];
+    uint groups[solid_depth + 1u];
+    uint states[solid_depth + 1u];
     uint depth = 0u;
     while (true) {
         uvec2 head = solid_words(node);
@@ -118,6 +118,11 @@ uint solid_state(uint node, SolidRay ray, dvec3 before, dvec3 after) {
 bool crossing_shows(SolidCrossing crossing, SolidRay ray, inout bool faces_ray, out bool flipped) {
     flipped = false;
     if ((crossing.flags & CROSSING_VISIBLE) == 0u) return false;
+    if (solid_depth == 0u) {
+        flipped = (solid_words(crossing.leaf).x & SOLID_INVERTED) != 0u;
+        faces_ray = faces_ray != flipped;
+        return true;
+    }
     double near = SOLID_COINCIDENT *
                   (abs(crossing.t) + sqrt(dot(ray.origin, ray.origin) / dot(ray.direction, ray.direction)));
     dvec3 before = ray.origin + ray.direction * (crossing.t - near);
@@ -171,15 +176,14 @@ void search_solid(uint root, SolidRay ray, inout SolidSearch search) {
     uint node = root;
     while (node != end) {
         uvec2 head = solid_words(node);
-        SolidRay part = ray;
-        part.from = search.after;
-        part.to = search.next.t;
-        bool met = true;
+        // However far the search has come, a shape is asked about the same part of the ray: so its crossings stay where
+        // they are, to the bit.
+        dvec2 within = dvec2(ray.from, ray.to);
         if ((head.x & SOLID_UNBOUNDED) == 0u) {
             SolidBox box = solid_box(node + SOLID_NODE_BOX);
-            dvec2 within = clip_to_box(box.lower, box.upper, part);
-            met = within.x <= within.y;
+            within = clip_to_box(box.lower, box.upper, ray);
         }
+        bool met = within.x <= within.y && within.x <= search.next.t && within.y >= search.after;
         if (met && passes_gate(node, head.x, ray)) {
             if ((head.x & SOLID_COMBINATION) != SOLID_LEAF) {
                 node += SOLID_NODE_SLOTS;
@@ -189,7 +193,7 @@ void search_solid(uint root, SolidRay ray, inout SolidSearch search) {
             search.leaf = node;
             search.with_ties = node > last && last != NONE;
             SolidRay in_shape =
-                SolidRay(point_to_shape(leaf, ray.origin), vector_to_shape(leaf, ray.direction), ray.from, ray.to);
+                SolidRay(point_to_shape(leaf, ray.origin), vector_to_shape(leaf, ray.direction), within.x, within.y);
             shape_crossings(head.x >> SOLID_KIND_SHIFT, leaf + SOLID_LEAF_NUMBERS, in_shape, search);
         }
         node = head.y;
