@@ -157,7 +157,11 @@ private:
                            std::size_t depth) {
         std::vector<Placed> children;
         gather(placed, group, children, 0);
-        return place_children(index, combination_of(group.kind), children, frame_of(placed), depth);
+        Combination combination = combination_of(group.kind);
+        // What is cut away by a union loses the union's inner surfaces: outside of all is what all have in common
+        // outside.
+        if (combination == Combination::combined && placed.solid->inverted) combination = Combination::merged;
+        return place_children(index, combination, children, frame_of(placed), depth);
     }
 
     NodeBounds place_clipped(std::uint32_t index, const Placed& placed, std::size_t depth) {

@@ -69,7 +69,7 @@ TEST(SolidsOnTheGpu, AreRefusedByNameAndLine) {
     const std::vector<std::string> reasons = gpu->unsupported(*prepared.scene);
     ASSERT_EQ(reasons.size(), 1U);
     const std::string expected =
-        "solid_refused.pov:5: object 'difference' is or has a Julia fractal, which only the CPU draws; use --device "
+        "solid_refused.pov:6: object 'difference' is or has a Julia fractal, which only the CPU draws; use --device "
         "cpu";
     EXPECT_TRUE(reasons[0].ends_with(expected)) << reasons[0];
 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything that shapes are put together by: holes, common parts, merged glass, clips, insides turned out, faces that
 // coincide, textures of cuts and of insides, and bounds that hide what lies off them.
 #version 3.7;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shapes made of outlines and polynomials, alone and in groups.
 #version 3.7;
 global_settings { assumed_gamma 1 }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shape that the GPU doesn't draw, in a group of others.
 #version 3.7;
 camera { location <0, 0, -5> look_at 0 }

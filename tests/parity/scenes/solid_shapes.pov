@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each kind of exact shape by itself, placed by transforms of all sorts.
 #version 3.7;
 global_settings { assumed_gamma 1 }
