@@ -19,7 +19,7 @@ import sys
 import tempfile
 
 SIZE = "160x120"
-SECONDS = 150
+SECONDS = 600
 PARITY = 1.0  # percent of the pixels that may differ by more than 2/255
 
 
