@@ -72,6 +72,9 @@ public:
         }
         return {(column + s) / 4, (row + t) / 3};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::box, {}}.add(box_.lower).add(box_.upper);
+    }
 
 private:
     /// Between which crossings the ray is within all three pairs of faces; false where it runs beside one.

@@ -69,6 +69,29 @@ Bounds3d roomy(Bounds3d box) {
     return box;
 }
 
+const char* kind_of(const scene::SolidSphere&) { return "a sphere"; }
+const char* kind_of(const scene::SolidBox&) { return "a box"; }
+const char* kind_of(const scene::SolidCone&) { return "a cone"; }
+const char* kind_of(const scene::HalfSpace&) { return "a plane"; }
+const char* kind_of(const scene::Torus&) { return "a torus"; }
+const char* kind_of(const scene::Polynomial&) { return "a polynomial"; }
+const char* kind_of(const scene::Superellipsoid&) { return "a superellipsoid"; }
+const char* kind_of(const scene::Blob&) { return "a blob"; }
+const char* kind_of(const scene::Lathe&) { return "a lathe"; }
+const char* kind_of(const scene::SurfaceOfRevolution&) { return "a surface of revolution"; }
+const char* kind_of(const scene::Prism&) { return "a prism"; }
+const char* kind_of(const scene::SphereSweep&) { return "a sphere sweep"; }
+const char* kind_of(const scene::HeightField&) { return "a height field"; }
+const char* kind_of(const scene::Disc&) { return "a disc"; }
+const char* kind_of(const scene::FlatPolygon&) { return "a polygon"; }
+const char* kind_of(const scene::Isosurface&) { return "an isosurface"; }
+const char* kind_of(const scene::JuliaFractal&) { return "a Julia fractal"; }
+const char* kind_of(const scene::Ovus&) { return "an ovus"; }
+const char* kind_of(const scene::Lemon&) { return "a lemon"; }
+const char* kind_of(const scene::Parametric&) { return "a parametric surface"; }
+const char* kind_of(const std::shared_ptr<const scene::SolidMesh>&) { return "a mesh"; }
+const char* kind_of(const scene::SolidGroup&) { return "a group"; }
+
 std::uint32_t own_or(std::uint32_t own, std::uint32_t above) { return own != scene::Solid::kInherited ? own : above; }
 
 }  // namespace
@@ -121,6 +144,7 @@ private:
                 else refuse_shape(placed.solid->where, "this kind of object can't be drawn yet");
             },
             placed.solid->shape);
+        leaf.kind = std::visit([](const auto& shape) { return kind_of(shape); }, placed.solid->shape);
         leaf.shape_from_world = inverse(m);
         leaf.material = own_or(placed.solid->material, placed.material);
         leaf.interior_material = own_or(placed.solid->interior_material, placed.interior_material);
@@ -144,7 +168,11 @@ private:
                            std::size_t depth) {
         std::vector<Placed> children;
         gather(placed, group, children, 0);
-        return place_children(index, combination_of(group.kind), children, frame_of(placed), depth);
+        Combination combination = combination_of(group.kind);
+        // What is cut away by a union loses the union's inner surfaces: outside of all is what all have in common
+        // outside.
+        if (combination == Combination::combined && placed.solid->inverted) combination = Combination::merged;
+        return place_children(index, combination, children, frame_of(placed), depth);
     }
 
     NodeBounds place_clipped(std::uint32_t index, const Placed& placed, std::size_t depth) {

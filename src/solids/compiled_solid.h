@@ -44,6 +44,7 @@ public:
         std::uint32_t material = 0;
         std::uint32_t interior_material = scene::Solid::kInherited;
         bool needs_uv = true;  ///< Its materials may look at texture coordinates.
+        const char* kind = "";  ///< What messages call the shape: "a cone".
     };
     struct Node {
         Combination combination = Combination::leaf;
@@ -75,6 +76,7 @@ public:
 
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
+    [[nodiscard]] const std::vector<Bounds3d>& gates() const { return gates_; }
 
 private:
     friend class SolidCompiler;

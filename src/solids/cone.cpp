@@ -68,6 +68,10 @@ public:
         out.include(cap + reach * cap_radius_);
         return out;
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        ShapeNumbers out{ShapeNumbers::Kind::cone, {}};
+        return out.add(base_).add(height_).add(axis_).add(base_radius_).add(slope_).add(open_ ? 1 : 0);
+    }
 
 private:
     struct Piece {

@@ -38,6 +38,9 @@ public:
         return transformed(m, {center_ - reach, center_ + reach});
     }
     [[nodiscard]] Bounds3d inside_bounds(const Affine3d&) const override { return everywhere(); }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::disc, {}}.add(center_).add(normal_).add(radius_).add(hole_radius_);
+    }
 
 private:
     Vec3d center_, normal_;

@@ -63,6 +63,9 @@ public:
         const auto [n, d] = carried(m);
         return half_bounds(-n, -d);
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::half_space, {}}.add(normal_).add(distance_);
+    }
 
 private:
     struct Equation {

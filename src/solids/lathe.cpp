@@ -90,6 +90,16 @@ public:
         if (u < 0) u += 1;
         return {u, (c.part + c.u) / static_cast<double>(pieces().size())};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        ShapeNumbers out{ShapeNumbers::Kind::lathe, {}};
+        out.add(static_cast<double>(pieces().size()));
+        for (std::size_t i = 0; i < 2; ++i)
+            for (std::size_t k = 0; k < 2; ++k) out.add(i < ends_.size() ? ends_[i][k] : 0);
+        for (const CurvePiece& piece : pieces())
+            for (const std::array<double, 4>& coordinate : {piece.x, piece.y})
+                for (const double c : coordinate) out.add(c);
+        return out;
+    }
 
 private:
     /// A ray seen from its point nearest to the axis: there it is `nearest` away at height y, and moves `speed`

@@ -48,6 +48,13 @@ public:
     [[nodiscard]] Vec3d normal(Vec3d, const Crossing&) const override { return normal_; }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
     [[nodiscard]] Bounds3d inside_bounds(const Affine3d&) const override { return {}; }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        ShapeNumbers out{ShapeNumbers::Kind::polygon, {}};
+        out.add(normal_).add(origin_).add(static_cast<double>(u_axis_)).add(static_cast<double>(v_axis_));
+        out.add(static_cast<double>(edges_.size()));
+        for (const Edge& e : edges_) out.add(e.u0).add(e.v0).add(e.u1).add(e.v1);
+        return out;
+    }
 
 private:
     struct Edge {

@@ -115,6 +115,13 @@ public:
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override {
         return transformed(m, polynomial_bounds(terms_, order_));
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        if (order_ > 6) return {};
+        ShapeNumbers out{ShapeNumbers::Kind::polynomial, {}};
+        out.add(static_cast<double>(order_)).add(static_cast<double>(terms_.size()));
+        for (const Term& t : terms_) out.add(Vec3d{double(t.x), double(t.y), double(t.z)}).add(t.coefficient);
+        return out;
+    }
 
 private:
     using Term = scene::Polynomial::Term;

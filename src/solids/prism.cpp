@@ -78,6 +78,15 @@ public:
         return cross(Vec3d{along[0], 0, along[1]}, Vec3d{at[0], 1, at[1]});
     }
     [[nodiscard]] Bounds3d bounds(const Affine3d& m) const override { return transformed(m, box_); }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        if (conic_) return {};
+        ShapeNumbers out{ShapeNumbers::Kind::prism, {}};
+        out.add(lower_).add(upper_).add(open_ ? 1 : 0).add(static_cast<double>(pieces_.size()));
+        for (const CurvePiece& piece : pieces_)
+            for (const std::array<double, 4>& coordinate : {piece.x, piece.y})
+                for (const double c : coordinate) out.add(c);
+        return out;
+    }
 
 private:
     /// A rectangle around some neighbouring pieces' control points.

@@ -104,6 +104,11 @@ public:
         }
         return common(transformed(m, part_within(in_shape)), box);
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        ShapeNumbers out{ShapeNumbers::Kind::quadric, {}};
+        out.add(Vec3d{rows_[0].x, rows_[1].y, rows_[2].z}).add(Vec3d{rows_[0].y, rows_[0].z, rows_[1].z});
+        return out.add(linear_).add(constant_);
+    }
 
 private:
     [[nodiscard]] Vec3d squared(Vec3d v) const { return {dot(rows_[0], v), dot(rows_[1], v), dot(rows_[2], v)}; }

@@ -14,6 +14,7 @@
 #include "scene/solid.h"
 #include "solids/bounds.h"
 #include "solids/ray.h"
+#include "solids/shape_numbers.h"
 
 namespace sundog::solids {
 
@@ -59,6 +60,8 @@ public:
     [[nodiscard]] virtual std::uint32_t material(Vec3d, const Crossing&) const { return scene::Solid::kInherited; }
     /// All that material() may give but kInherited.
     [[nodiscard]] virtual std::vector<std::uint32_t> materials() const { return {}; }
+    /// All there is to know of the shape; of kind `none` where that is more than numbers tell.
+    [[nodiscard]] virtual ShapeNumbers numbers() const { return {}; }
 };
 
 using ShapePointer = std::shared_ptr<const Shape>;

@@ -42,6 +42,9 @@ public:
         if (u < 0) u += 1;
         return {u, std::asin(std::clamp(n.y, -1.0, 1.0)) / std::numbers::pi + 0.5};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::sphere, {}}.add(center_).add(radius_);
+    }
 
 private:
     /// Where the ray goes in and out; false where it misses the sphere.

@@ -91,6 +91,16 @@ public:
         if (u < 0) u += 1;
         return {u, (p.y - box_.lower.y) / (box_.upper.y - box_.lower.y)};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        ShapeNumbers out{ShapeNumbers::Kind::revolution, {}};
+        out.add(open_ ? 1 : 0).add(box_.lower.y).add(box_.upper.y).add(radius_);
+        out.add(static_cast<double>(pieces_.size()));
+        for (const Piece& piece : pieces_) {
+            out.add(piece.lower).add(piece.upper);
+            for (const double c : piece.square) out.add(c);
+        }
+        return out;
+    }
 
 private:
     /// How far the walk along a ray has come: crossings before the range are only counted.

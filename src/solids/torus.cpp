@@ -63,6 +63,9 @@ public:
         if (u < 0) u += 1;
         return {u, v};
     }
+    [[nodiscard]] ShapeNumbers numbers() const override {
+        return ShapeNumbers{ShapeNumbers::Kind::torus, {}}.add(major_).add(minor_);
+    }
 
 private:
     double major_, minor_;

@@ -41,7 +41,7 @@ const std::vector<Rule>& rules() {
         {"src/device/accel", {"device/accel", "device/bvh", "device/", "solids", "kernel", "base"}},
         {"src/device/cpu",
          {"device/cpu", "device/accel", "device/bvh", "device/", "solids", "sampling", "kernel", "base"}},
-        {"src/device/vulkan", {"device/vulkan", "device/bvh", "device/", "kernel", "base"}},
+        {"src/device/vulkan", {"device/vulkan", "device/bvh", "device/", "solids", "kernel", "base"}},
         {"src/device/choose",
          {"device/choose", "device/cpu/cpu_device.h", "device/vulkan/vulkan_device.h", "device/", "base"}},
         {"src/bake", {"bake", "session", "compile", "device/", "kernel", "scene", "output", "base"}},

@@ -43,6 +43,9 @@ Gpu::Gpu(std::size_t index, MessageSink validation, TransferOptions transfer)
     create.pNext = &features;
     create.queueCreateInfoCount = 1;
     create.pQueueCreateInfos = &queue;
+    VkPhysicalDeviceFeatures features10{};
+    features10.shaderFloat64 = adapter_.computes_doubles ? VK_TRUE : VK_FALSE;
+    create.pEnabledFeatures = &features10;
     VkDevice device = VK_NULL_HANDLE;
     check(instance_.functions().vkCreateDevice(adapter_.physical_device, &create, nullptr, &device),
           "opening the GPU '" + adapter_.info.name + "'");

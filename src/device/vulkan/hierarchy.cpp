@@ -6,22 +6,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/diagnostics.h"
+#include "solids/compiled_solid.h"
+
 namespace sundog::vulkan {
 namespace {
 
 Vec3 to_vec3(kernel::vec3 v) { return {v.x, v.y, v.z}; }
 
-kernel::LeafShape shape_of(const RenderScene& scene, std::uint32_t kind, std::uint32_t primitive) {
-    switch (kind) {
+std::size_t number_of_solid(const RenderScene& scene, std::uint32_t geometry) {
+    const auto placed = std::lower_bound(scene.solids.begin(), scene.solids.end(), geometry,
+                                         [](const PlacedSolid& s, std::uint32_t g) { return s.geometry < g; });
+    if (placed == scene.solids.end() || placed->geometry != geometry)
+        throw DeviceError("geometry " + std::to_string(geometry) + " is a solid, but the scene holds none for it");
+    return static_cast<std::size_t>(placed - scene.solids.begin());
+}
+
+/// A primitive with its shape; `solids` as in build_hierarchy().
+kernel::Leaf leaf_of(const RenderScene& scene, const SolidSlots& solids, std::uint32_t primitive,
+                     std::uint32_t geometry) {
+    switch (scene.geometries[geometry].kind) {
         case kernel::GEOMETRY_SPHERE: {
             const kernel::Sphere& sphere = scene.spheres[primitive];
-            return {sphere.center, {sphere.radius, 0, 0}, {0, 0, 0}};
+            return {sphere.center, {sphere.radius, 0, 0}, {0, 0, 0}, primitive, geometry};
         }
         case kernel::GEOMETRY_BOX:
-            return {scene.boxes[primitive].lower, scene.boxes[primitive].upper, {0, 0, 0}};
+            return {scene.boxes[primitive].lower, scene.boxes[primitive].upper, {0, 0, 0}, primitive, geometry};
+        case kernel::GEOMETRY_SOLID:
+            return {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, solids.roots[number_of_solid(scene, geometry)], geometry};
         default: {
             const kernel::Triangle& triangle = scene.triangles[primitive];
-            return {scene.positions[triangle.p0], scene.positions[triangle.p1], scene.positions[triangle.p2]};
+            return {scene.positions[triangle.p0], scene.positions[triangle.p1], scene.positions[triangle.p2], primitive,
+                    geometry};
         }
     }
 }
@@ -33,61 +49,74 @@ Bounds3 padded(Bounds3 box, float relative) {
     return {box.lower - by, box.upper + by};
 }
 
-Bounds3 bounds_of(const kernel::LeafShape& shape, std::uint32_t kind) {
+/// Solids without an end get a box that reaches far beyond all else.
+Bounds3 bounds_of_solid(const solids::CompiledSolid& solid) {
+    constexpr double farthest = 1e12;
+    const auto within = [&](double v) { return static_cast<float>(std::clamp(v, -farthest, farthest)); };
+    const Bounds3d& b = solid.bounds();
     Bounds3 box;
-    switch (kind) {
+    box.include(Vec3{within(b.lower.x), within(b.lower.y), within(b.lower.z)});
+    box.include(Vec3{within(b.upper.x), within(b.upper.y), within(b.upper.z)});
+    return padded(box, 2.4e-7F);
+}
+
+Bounds3 bounds_of(const RenderScene& scene, const kernel::Leaf& leaf) {
+    Bounds3 box;
+    switch (scene.geometries[leaf.geometry].kind) {
         case kernel::GEOMETRY_SPHERE: {
-            const float radius = std::fabs(shape.b.x);
+            const float radius = std::fabs(leaf.b.x);
             const Vec3 extent{radius, radius, radius};
-            return padded({to_vec3(shape.a) - extent, to_vec3(shape.a) + extent}, 2.4e-7F);
+            return padded({to_vec3(leaf.a) - extent, to_vec3(leaf.a) + extent}, 2.4e-7F);
         }
         case kernel::GEOMETRY_BOX:
-            box.include(to_vec3(shape.a));
-            box.include(to_vec3(shape.b));
+            box.include(to_vec3(leaf.a));
+            box.include(to_vec3(leaf.b));
             return box;
+        case kernel::GEOMETRY_SOLID:
+            return bounds_of_solid(*scene.solids[number_of_solid(scene, leaf.geometry)].solid);
         default:
-            box.include(to_vec3(shape.a));
-            box.include(to_vec3(shape.b));
-            box.include(to_vec3(shape.c));
+            box.include(to_vec3(leaf.a));
+            box.include(to_vec3(leaf.b));
+            box.include(to_vec3(leaf.c));
             return box;
     }
 }
 
 /// The primitives of the given geometries, in the scene's order.
-std::vector<kernel::LeafRef> primitives_of(const RenderScene& scene, std::span<const std::uint32_t> geometries) {
-    std::vector<kernel::LeafRef> refs;
+std::vector<kernel::Leaf> leaves_of(const RenderScene& scene, const SolidSlots& solids,
+                                    std::span<const std::uint32_t> geometries) {
+    std::vector<kernel::Leaf> leaves;
     for (const std::uint32_t g : geometries) {
         const kernel::Geometry& geometry = scene.geometries[g];
-        for (std::uint32_t i = 0; i < geometry.primitive_count; ++i) refs.push_back({geometry.first_primitive + i, g});
+        for (std::uint32_t i = 0; i < geometry.primitive_count; ++i) {
+            const kernel::Leaf leaf = leaf_of(scene, solids, geometry.first_primitive + i, g);
+            // A solid that clips leave nothing of has no place in a hierarchy.
+            const bool nothing = geometry.kind == kernel::GEOMETRY_SOLID &&
+                                 scene.solids[number_of_solid(scene, g)].solid->bounds().empty();
+            if (!nothing) leaves.push_back(leaf);
+        }
     }
-    return refs;
+    return leaves;
 }
 
-void append_part(const RenderScene& scene, std::span<const std::uint32_t> geometries, std::uint32_t instance,
-                 Hierarchy& out) {
-    const auto refs = primitives_of(scene, geometries);
-    if (refs.empty()) return;
-    std::vector<Bounds3> bounds(refs.size());
-    const auto kind_of = [&](const kernel::LeafRef& ref) { return scene.geometries[ref.geometry].kind; };
-    tbb::parallel_for(std::size_t{0}, refs.size(), [&](std::size_t i) {
-        bounds[i] = bounds_of(shape_of(scene, kind_of(refs[i]), refs[i].primitive), kind_of(refs[i]));
-    });
+void append_part(const RenderScene& scene, const SolidSlots& solids, std::span<const std::uint32_t> geometries,
+                 std::uint32_t instance, Hierarchy& out) {
+    const auto leaves = leaves_of(scene, solids, geometries);
+    if (leaves.empty()) return;
+    std::vector<Bounds3> bounds(leaves.size());
+    tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t i) { bounds[i] = bounds_of(scene, leaves[i]); });
     const bvh::WideBvh part = bvh::build(bounds);
 
     const auto first_node = static_cast<std::uint32_t>(out.nodes.size());
-    const auto first_leaf = static_cast<std::uint32_t>(out.refs.size());
+    const auto first_leaf = static_cast<std::uint32_t>(out.leaves.size());
     for (kernel::WideNode node : part.nodes) {
         node.child_base += first_node;
         node.primitive_base += first_leaf;
         out.nodes.push_back(node);
     }
-    out.refs.resize(first_leaf + refs.size());
-    out.shapes.resize(first_leaf + refs.size());
-    tbb::parallel_for(std::size_t{0}, refs.size(), [&](std::size_t i) {
-        const kernel::LeafRef& ref = refs[part.order[i]];
-        out.refs[first_leaf + i] = ref;
-        out.shapes[first_leaf + i] = shape_of(scene, kind_of(ref), ref.primitive);
-    });
+    out.leaves.resize(first_leaf + leaves.size());
+    tbb::parallel_for(std::size_t{0}, leaves.size(),
+                      [&](std::size_t i) { out.leaves[first_leaf + i] = leaves[part.order[i]]; });
     out.parts.push_back({first_node, instance, part.bounds});
     out.depth = std::max(out.depth, part.depth);
 }
@@ -111,7 +140,7 @@ Bounds3 to_world(const kernel::Instance& instance, const Bounds3& box) {
 
 }  // namespace
 
-Hierarchy build_hierarchy(const RenderScene& scene) {
+Hierarchy build_hierarchy(const RenderScene& scene, const SolidSlots& solids) {
     std::vector<std::uint32_t> at_rest;
     std::vector<std::uint32_t> moving;
     for (std::uint32_t g = 0; g < scene.geometries.size(); ++g) {
@@ -125,9 +154,9 @@ Hierarchy build_hierarchy(const RenderScene& scene) {
         hierarchy.top_capacity = static_cast<std::uint32_t>(moving.size()) + 1;
         hierarchy.nodes.resize(hierarchy.top_capacity);
     }
-    append_part(scene, at_rest, kernel::NONE, hierarchy);
+    append_part(scene, solids, at_rest, kernel::NONE, hierarchy);
     for (const std::uint32_t g : moving) {
-        append_part(scene, std::span(&g, 1), scene.geometries[g].instance, hierarchy);
+        append_part(scene, solids, std::span(&g, 1), scene.geometries[g].instance, hierarchy);
     }
     if (hierarchy.nodes.empty()) hierarchy.nodes = bvh::build({}).nodes;
     return hierarchy;

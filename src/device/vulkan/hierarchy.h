@@ -9,6 +9,7 @@
 #include "device/bvh/build.h"
 #include "device/render_scene.h"
 #include "device/vulkan/shaders/layout.h"
+#include "device/vulkan/solid_slots.h"
 
 namespace sundog::vulkan {
 
@@ -24,14 +25,14 @@ struct Part {
 struct Hierarchy {
     /// Where something moves, the first `top_capacity` nodes are left for the top level.
     std::vector<kernel::WideNode> nodes;
-    std::vector<kernel::LeafShape> shapes;
-    std::vector<kernel::LeafRef> refs;
+    std::vector<kernel::Leaf> leaves;
     std::vector<Part> parts;
     std::uint32_t top_capacity = 0;
     std::uint32_t depth = 0;  ///< Levels of the deepest part.
 };
 
-Hierarchy build_hierarchy(const RenderScene& scene);
+/// `solids` are the scene's, as shaders read them.
+Hierarchy build_hierarchy(const RenderScene& scene, const SolidSlots& solids = {});
 
 /// The level above, over the parts as a frame places them.
 struct TopLevel {

@@ -37,7 +37,7 @@ TEST(Hierarchy, IsOnePartWhereNothingMoves) {
     ASSERT_EQ(hierarchy.parts.size(), 1U);
     EXPECT_EQ(hierarchy.parts[0].root, 0U);
     EXPECT_EQ(hierarchy.top_capacity, 0U);
-    EXPECT_EQ(hierarchy.refs.size(), 3U);
+    EXPECT_EQ(hierarchy.leaves.size(), 3U);
 }
 
 // Catches parts that share primitives or lose one, and roots that overlap the room for the top level.
@@ -45,7 +45,7 @@ TEST(Hierarchy, IsOnePartForEachGeometryThatMoves) {
     const Hierarchy hierarchy = build_hierarchy(three_spheres(2));
     ASSERT_EQ(hierarchy.parts.size(), 3U);
     std::set<std::uint32_t> geometries;
-    for (const kernel::LeafRef& ref : hierarchy.refs) geometries.insert(ref.geometry);
+    for (const kernel::Leaf& leaf : hierarchy.leaves) geometries.insert(leaf.geometry);
     EXPECT_EQ(geometries, (std::set<std::uint32_t>{0, 1, 2}));
     for (const Part& part : hierarchy.parts) EXPECT_GE(part.root, hierarchy.top_capacity);
     EXPECT_EQ(hierarchy.parts[0].instance, kernel::NONE);

@@ -140,6 +140,8 @@ Adapter probe(const Instance& instance, VkPhysicalDevice physical_device) {
     features.pNext = &features12;
     f.vkGetPhysicalDeviceFeatures2(physical_device, &features);
 
+    adapter.computes_doubles = features.features.shaderFloat64 == VK_TRUE;
+
     const auto family = compute_family(instance, physical_device);
     constexpr VkSubgroupFeatureFlags needed_subgroup =
         VK_SUBGROUP_FEATURE_BASIC_BIT | VK_SUBGROUP_FEATURE_ARITHMETIC_BIT;

@@ -43,6 +43,7 @@ struct Adapter {
     DeviceInfo info;
     std::string why_unusable;  ///< Empty if it can be used; else one sentence.
     std::uint32_t compute_queue_family = 0;
+    bool computes_doubles = false;  ///< As exact solids need.
     std::uint64_t max_storage_buffer_bytes = 0;
     std::uint64_t max_allocation_bytes = 0;
     VkPhysicalDeviceMemoryProperties memory{};

@@ -16,18 +16,8 @@ VkDescriptorType type_of(std::uint32_t binding, std::uint32_t binding_count) {
 
 Pipelines::Pipelines(const Gpu& gpu, std::initializer_list<std::span<const std::uint32_t>> shaders,
                      std::uint32_t binding_count, std::uint32_t push_constant_bytes)
-    : gpu_(gpu), binding_count_(binding_count) {
+    : gpu_(gpu), binding_count_(binding_count), spirv_(shaders), shaders_(shaders.size()) {
     const DeviceFunctions& f = gpu.functions();
-    for (const std::span<const std::uint32_t> spirv : shaders) {
-        VkShaderModuleCreateInfo module{};
-        module.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-        module.codeSize = spirv.size_bytes();
-        module.pCode = spirv.data();
-        VkShaderModule handle = VK_NULL_HANDLE;
-        check(f.vkCreateShaderModule(gpu.device(), &module, nullptr, &handle), "loading the shader");
-        shaders_.push_back(gpu.own(handle, f.vkDestroyShaderModule));
-    }
-
     std::vector<VkDescriptorSetLayoutBinding> bindings(binding_count);
     for (std::uint32_t i = 0; i < binding_count; ++i) {
         bindings[i].binding = i;
@@ -79,6 +69,21 @@ Pipelines::Pipelines(const Gpu& gpu, std::initializer_list<std::span<const std::
     cache_ = gpu.own(cache_handle, f.vkDestroyPipelineCache);
 }
 
+VkShaderModule Pipelines::shader(std::uint32_t number) {
+    Owned<VkShaderModule>& loaded = shaders_.at(number);
+    if (!loaded) {
+        const DeviceFunctions& f = gpu_.functions();
+        VkShaderModuleCreateInfo module{};
+        module.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+        module.codeSize = spirv_[number].size_bytes();
+        module.pCode = spirv_[number].data();
+        VkShaderModule handle = VK_NULL_HANDLE;
+        check(f.vkCreateShaderModule(gpu_.device(), &module, nullptr, &handle), "loading the shader");
+        loaded = gpu_.own(handle, f.vkDestroyShaderModule);
+    }
+    return loaded.get();
+}
+
 void Pipelines::bind(std::uint32_t binding, const Buffer& buffer) {
     const VkDescriptorBufferInfo info{buffer.get(), 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet write{};
@@ -97,14 +102,16 @@ VkPipeline Pipelines::get(const Variant& variant) {
     const std::array entries{VkSpecializationMapEntry{0, offsetof(Variant, features), word},
                              VkSpecializationMapEntry{1, offsetof(Variant, aovs), word},
                              VkSpecializationMapEntry{2, offsetof(Variant, stack_size), word},
-                             VkSpecializationMapEntry{3, offsetof(Variant, integrator), word}};
+                             VkSpecializationMapEntry{3, offsetof(Variant, integrator), word},
+                             VkSpecializationMapEntry{4, offsetof(Variant, solid_kinds), word},
+                             VkSpecializationMapEntry{5, offsetof(Variant, solid_depth), word}};
     const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               sizeof(Variant), &variant};
     VkComputePipelineCreateInfo create{};
     create.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
     create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    create.stage.module = shaders_.at(variant.shader).get();
+    create.stage.module = shader(variant.shader);
     create.stage.pName = "main";
     create.stage.pSpecializationInfo = &specialization;
     create.layout = layout_.get();

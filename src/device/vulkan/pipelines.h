@@ -19,13 +19,15 @@ struct Variant {
     std::uint32_t aovs = 0;                                             ///< AOV_*
     std::uint32_t stack_size = 0;                                       ///< Entries of the traversal's stack.
     std::uint32_t integrator = 0;                                       ///< INTEGRATOR_*
+    std::uint32_t solid_kinds = 0;                                      ///< SHAPE_* as bits.
+    std::uint32_t solid_depth = 0;                                      ///< Entries of the stack of groups.
     friend auto operator<=>(const Variant&, const Variant&) = default;  // NOLINT(modernize-use-nullptr): its own zero
 };
 
 /// Compute shaders whose set 0 holds storage buffers 0 to binding_count - 2 and one uniform buffer after them.
 class Pipelines {
 public:
-    /// Shaders are given as SPIR-V. Errors: DeviceError.
+    /// Shaders are given as SPIR-V, which must outlive this and is loaded once it is used. Errors: DeviceError.
     Pipelines(const Gpu& gpu, std::initializer_list<std::span<const std::uint32_t>> shaders,
               std::uint32_t binding_count, std::uint32_t push_constant_bytes);
 
@@ -40,6 +42,9 @@ public:
 private:
     const Gpu& gpu_;
     std::uint32_t binding_count_;
+    VkShaderModule shader(std::uint32_t number);
+
+    std::vector<std::span<const std::uint32_t>> spirv_;
     std::vector<Owned<VkShaderModule>> shaders_;
     Owned<VkDescriptorSetLayout> set_layout_;
     Owned<VkPipelineLayout> layout_;

@@ -44,15 +44,15 @@ std::vector<std::string> arrays_too_large(const RenderScene& scene, const Adapte
     for (const kernel::Geometry& geometry : scene.geometries) {
         if (geometry.kind != kernel::GEOMETRY_PLANE) primitives += geometry.primitive_count;
     }
-    add("shapes of the hierarchy", primitives * sizeof(kernel::LeafShape));
+    add("leaves of the hierarchy", primitives * sizeof(kernel::Leaf));
     return sentences;
 }
 
-std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
+std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene, const Adapter& adapter) {
     constexpr std::size_t kMost = 5;
     std::vector<std::string> sentences;
     std::size_t more = 0;
-    const auto add = [&](std::uint32_t geometry, const SourceLocation* where, const char* what) {
+    const auto add = [&](std::uint32_t geometry, const SourceLocation* where, const std::string& what) {
         if (sentences.size() >= kMost) {
             ++more;
             return;
@@ -62,8 +62,12 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
         if (where != nullptr && where->file) place = *where->file + ":" + std::to_string(where->line) + ": ";
         sentences.push_back(place + "object '" + name + "' " + what + "; use --device cpu");
     };
-    for (const PlacedSolid& solid : scene.solids)
-        add(solid.geometry, &solid.where, "is an exact solid, which only the CPU draws");
+    for (const PlacedSolid& solid : scene.solids) {
+        if (!adapter.computes_doubles)
+            add(solid.geometry, &solid.where, "is an exact solid, and this GPU doesn't compute with doubles");
+        else if (const std::string what = not_drawn_of(*solid.solid); !what.empty())
+            add(solid.geometry, &solid.where, what);
+    }
     const auto add_feature = [&](const SourceLocation& where, const std::string& what) {
         const std::string place = where.file ? *where.file + ":" + std::to_string(where.line) + ": " : "";
         sentences.push_back(place + what + "; use --device cpu");
@@ -80,7 +84,9 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene) {
 }
 
 SceneBuffers::SceneBuffers(Gpu& gpu, Pipelines& pipelines, const RenderScene& scene)
-    : instances_move_((scene.features & kernel::FEATURE_INSTANCES) != 0), hierarchy_(build_hierarchy(scene)) {
+    : instances_move_((scene.features & kernel::FEATURE_INSTANCES) != 0),
+      solids_(solid_slots(scene)),
+      hierarchy_(build_hierarchy(scene, solids_)) {
     const auto upload = [&](std::uint32_t binding, std::span<const std::byte> content, const std::string& name) {
         if (const auto sentence = too_large(name, content.size(), gpu.adapter()); !sentence.empty()) {
             throw DeviceError(sentence);
@@ -95,11 +101,11 @@ SceneBuffers::SceneBuffers(Gpu& gpu, Pipelines& pipelines, const RenderScene& sc
 #undef KERNEL_ARRAY
 #undef KERNEL_ARRAYS_SCENE_ONLY
     nodes_ = upload(kernel::BINDING_NODES, bytes_of(hierarchy_.nodes), "nodes of the hierarchy");
-    shapes_ = upload(kernel::BINDING_LEAF_SHAPES, bytes_of(hierarchy_.shapes), "shapes of the hierarchy");
-    refs_ = upload(kernel::BINDING_LEAF_REFS, bytes_of(hierarchy_.refs), "references of the hierarchy");
+    leaves_ = upload(kernel::BINDING_LEAVES, bytes_of(hierarchy_.leaves), "leaves of the hierarchy");
+    solid_slots_ = upload(kernel::BINDING_SOLIDS, bytes_of(solids_.slots), "exact solids");
     hierarchy_.nodes = {};
-    hierarchy_.shapes = {};
-    hierarchy_.refs = {};
+    hierarchy_.leaves = {};
+    solids_.slots = {};
 }
 
 void SceneBuffers::write_or_grow(Gpu& gpu, Pipelines& pipelines, Buffer& buffer, std::uint32_t binding,
@@ -136,7 +142,7 @@ std::uint32_t SceneBuffers::set_frame(Gpu& gpu, Pipelines& pipelines, const Fram
 }
 
 std::size_t SceneBuffers::memory_bytes() const {
-    std::size_t bytes = nodes_.bytes() + shapes_.bytes() + refs_.bytes() + params_.bytes() + lights_.bytes() +
+    std::size_t bytes = nodes_.bytes() + leaves_.bytes() + solid_slots_.bytes() + params_.bytes() + lights_.bytes() +
                         instances_.bytes() + emitters_.bytes() + top_refs_.bytes();
     for (const Buffer& buffer : arrays_) bytes += buffer.bytes();
     return bytes;

@@ -11,7 +11,9 @@
 #include "device/vulkan/gpu.h"
 #include "device/vulkan/pipelines.h"
 #include "device/vulkan/scene_buffers.h"
+#include "device/vulkan/shaders/path_solids_spirv.h"
 #include "device/vulkan/shaders/path_spirv.h"
+#include "device/vulkan/shaders/whitted_solids_spirv.h"
 #include "device/vulkan/shaders/whitted_spirv.h"
 
 namespace sundog {
@@ -26,19 +28,20 @@ struct Piece {
     std::uint32_t sample_count;
 };
 
-/// Of the shaders that Pipelines gets.
-constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1;
+/// Of the shaders that Pipelines gets. Those that find exact solids, too, need doubles, which not all GPUs have.
+constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2;
 
 class VulkanDevice final : public Device {
 public:
     VulkanDevice(std::size_t index, const VulkanOptions& options)
         : gpu_(index, options.on_validation_message, {options.map_device_memory, options.staging_bytes}),
-          pipelines_(gpu_, {whitted_spirv, path_spirv}, kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
+          pipelines_(gpu_, {whitted_spirv, path_spirv, whitted_solids_spirv, path_solids_spirv}, kernel::BINDING_COUNT,
+                     sizeof(kernel::Dispatch)) {}
 
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
 
     [[nodiscard]] std::vector<std::string> unsupported(const RenderScene& scene) const override {
-        std::vector<std::string> sentences = not_drawn_by_shaders(scene);
+        std::vector<std::string> sentences = not_drawn_by_shaders(scene, gpu_.adapter());
         for (std::string& sentence : arrays_too_large(scene, gpu_.adapter())) sentences.push_back(std::move(sentence));
         return sentences;
     }
@@ -60,6 +63,12 @@ public:
         Variant variant;
         variant.shader = frame.params.integrator == kernel::INTEGRATOR_WHITTED ? kWhittedShader : kPathShader;
         variant.integrator = frame.params.integrator;
+        if (buffers_->solid_kinds() != 0) {
+            variant.shader += kSolidShaders;
+            variant.solid_kinds = buffers_->solid_kinds();
+            // Few different sizes, so that few variants of the shader are compiled.
+            variant.solid_depth = (buffers_->solid_depth() + 3) / 4 * 4;
+        }
         variant.stack_size = buffers_->set_frame(gpu_, pipelines_, frame);
         variant.aovs = film.aovs;
         variant.features =

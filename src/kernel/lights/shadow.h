@@ -100,15 +100,21 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
 /// The same for a ray to one of a light's points: where the light is projected through an object, it comes from where
 /// the ray first meets that, and from nowhere else.
 FN real3 ray_transmittance(SCENE Light light, Ray shadow, MediaInsides insides, mask open, INOUT(RayCounts) counts) {
-    if (light.projection == 0u) return shadow_transmittance(SCENE_ shadow, insides, light.flags, open, counts);
-    counts.rays = counts.rays + select(open, word(1u), word(0u));
-    Hit window = trace_closest(SCENE_ shadow, open, word(light.projection), false);
-    mask through = mask_and(open, window.geometry != word(NONE));
-    real3 black = real3(real(0.0f));
-    if (!any_lane(through)) return black;
-    // Short of it by rounding: the same object may be drawn there, too.
-    shadow.t_max = min(shadow.t_max, window.t - hit_error(shadow.origin, point_at(shadow, window.t), window.t));
-    return select(through, shadow_transmittance(SCENE_ shadow, insides, light.flags, through, counts), black);
+    mask through = open;
+    // In scenes without hidden objects no light is projected through any.
+    if (FEATURE(FEATURE_HIDDEN)) {
+        if (light.projection != 0u) {
+            counts.rays = counts.rays + select(open, word(1u), word(0u));
+            Hit window = trace_closest(SCENE_ shadow, open, word(light.projection), false);
+            through = mask_and(open, window.geometry != word(NONE));
+            if (!any_lane(through)) return real3(real(0.0f));
+            // Short of it by rounding: the same object may be drawn there, too.
+            real there = window.t - hit_error(shadow.origin, point_at(shadow, window.t), window.t);
+            shadow.t_max = min(shadow.t_max, there);
+        }
+    }
+    real3 passes = shadow_transmittance(SCENE_ shadow, insides, light.flags, through, counts);
+    return select(through, passes, real3(real(0.0f)));
 }
 
 /// Share of a light that reaches the lanes of `lit`, whose shadow ray starts at `origin`: of one point, or the mean

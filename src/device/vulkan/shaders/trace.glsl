@@ -7,10 +7,7 @@
 #include "kernel/shapes/triangle.h"
 
 layout(scalar, set = 0, binding = BINDING_NODES) readonly restrict buffer nodes_buffer { WideNode nodes[]; };
-layout(scalar, set = 0, binding = BINDING_LEAF_SHAPES) readonly restrict buffer leaf_shapes_buffer {
-    LeafShape leaf_shapes[];
-};
-layout(scalar, set = 0, binding = BINDING_LEAF_REFS) readonly restrict buffer leaf_refs_buffer { LeafRef leaf_refs[]; };
+layout(scalar, set = 0, binding = BINDING_LEAVES) readonly restrict buffer leaves_buffer { Leaf leaves[]; };
 layout(scalar, set = 0, binding = BINDING_TOP_REFS) readonly restrict buffer top_refs_buffer { TopRef top_refs[]; };
 
 /// The inner children of one node that are still to be visited.
@@ -48,32 +45,42 @@ bool is_culled(uint material, vec3 normal, vec3 direction) {
            (materials[material].flags & MATERIAL_TRANSPARENT) == 0u;
 }
 
+#ifdef SUNDOG_SOLIDS
+#include "device/vulkan/shaders/solids.glsl"
+#endif
+
 /// Tests the primitive at `place` of the leaves; where it is nearer than ray.t_max, makes it the hit.
 bool hit_leaf(uint place, Ray ray, uint ray_kind, inout Hit hit) {
-    LeafShape shape = leaf_shapes[place];
-    LeafRef ref = leaf_refs[place];
-    if (FEATURE(FEATURE_HIDDEN) && (geometries[ref.geometry].hidden_from & ray_kind) != 0u) return false;
+    Leaf leaf = leaves[place];
+    if (FEATURE(FEATURE_HIDDEN) && (geometries[leaf.geometry].hidden_from & ray_kind) != 0u) return false;
     float t;
     float u = 0.0f;
     float v = 0.0f;
     vec3 normal;
     uint kind = GEOMETRY_TRIANGLES;
-    if (FEATURE(FEATURE_ANALYTIC)) kind = geometries[ref.geometry].kind;
+    if (FEATURE(FEATURE_ANALYTIC)) kind = geometries[leaf.geometry].kind;
     if (kind == GEOMETRY_TRIANGLES) {
-        if (!intersect_triangle(ray, shape.a, shape.b, shape.c, t, u, v, normal)) return false;
-        uint material = triangles[ref.primitive].material;
+        if (!intersect_triangle(ray, leaf.a, leaf.b, leaf.c, t, u, v, normal)) return false;
+        uint material = triangles[leaf.primitive].material;
         if (FEATURE(FEATURE_CULL) && is_culled(material, normal, ray.direction)) return false;
         if (FEATURE(FEATURE_ONE_SIDED) && (ray_kind & RAY_CAMERA) != 0u && dot(normal, ray.direction) >= 0.0f &&
             (materials[material].flags & MATERIAL_ONE_SIDED) != 0u)
             return false;
     } else if (kind == GEOMETRY_SPHERE) {
-        if (!intersect_sphere(ray, shape.a, shape.b.x, t, normal)) return false;
-        if (FEATURE(FEATURE_CULL) && is_culled(spheres[ref.primitive].material, normal, ray.direction)) return false;
+        if (!intersect_sphere(ray, leaf.a, leaf.b.x, t, normal)) return false;
+        if (FEATURE(FEATURE_CULL) && is_culled(spheres[leaf.primitive].material, normal, ray.direction)) return false;
+#ifdef SUNDOG_SOLIDS
+    } else if (kind == GEOMETRY_SOLID) {
+        SolidHit found;
+        if (!intersect_solid(leaf.primitive, ray, found)) return false;
+        hit = Hit(found.t, found.u, found.v, leaf.geometry, found.material, found.normal);
+        return true;
+#endif
     } else {
-        if (!intersect_box(ray, shape.a, shape.b, t, normal)) return false;
-        if (FEATURE(FEATURE_CULL) && is_culled(boxes[ref.primitive].material, normal, ray.direction)) return false;
+        if (!intersect_box(ray, leaf.a, leaf.b, t, normal)) return false;
+        if (FEATURE(FEATURE_CULL) && is_culled(boxes[leaf.primitive].material, normal, ray.direction)) return false;
     }
-    hit = Hit(t, u, v, ref.geometry, ref.primitive, normal);
+    hit = Hit(t, u, v, leaf.geometry, leaf.primitive, normal);
     return true;
 }
 
