@@ -680,6 +680,10 @@ KERNEL_CONST uint AOV_NORMAL = 2u;  ///< World-space shading normal, towards the
 KERNEL_CONST uint AOV_ALBEDO = 4u;  ///< Diffuse colour after textures.
 KERNEL_CONST uint AOV_OBJECT = 8u;  ///< Geometry index (NONE on a miss), primitive and material.
 KERNEL_CONST uint AOV_COST = 16u;   ///< Rays traced for the pixel.
+/// Depth, normal and albedo are means over what is seen through surfaces that don't bend light, too (integrators/
+/// seen_through.h); at least AOV_FAR deep where there is nothing. Of Whitted's integrator alone.
+KERNEL_CONST uint AOV_BEYOND = 32u;
+KERNEL_CONST float AOV_FAR = 1.0e30f;
 
 #ifdef __cplusplus
 }  // namespace sundog::kernel

@@ -19,6 +19,7 @@
 #include "kernel/integrators/air.h"
 #include "kernel/integrators/path.h"
 #include "kernel/integrators/record.h"
+#include "kernel/integrators/seen_through.h"
 #include "kernel/integrators/surface_met.h"
 #include "kernel/lights/direct.h"
 #ifdef __cplusplus
@@ -94,6 +95,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 first.geometry = select(found, s.geometry, word(NONE));
                 first.primitive = select(found, s.primitive, word(NONE));
                 first.material = select(found, s.material, word(NONE));
+                if (!RECORDING && FEATURE(FEATURE_VEILS) && WANTS_AOV(AOV_BEYOND))
+                    see_through(SCENE_ path, s, lobes, crossing, hit.t, found, counts, first);
             }
             if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
                 // Straight on where eta is 1, to the last bit.
