@@ -22,7 +22,8 @@ Frame finer(const Frame& frame) {
     out.params.light_count = 0;
     out.params.sampling = {};
     out.params.aovs = kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_ALBEDO | kernel::AOV_BEYOND;
-    out.params.features &= ~(kernel::FEATURE_RADIOSITY | kernel::FEATURE_PHOTONS | kernel::FEATURE_SHADOWS);
+    out.params.features &=
+        ~(kernel::FEATURE_RADIOSITY | kernel::FEATURE_PHOTONS | kernel::FEATURE_SHADOWS | kernel::FEATURE_SUBSURFACE);
     out.radiosity.reset();
     out.photons.reset();
     return out;

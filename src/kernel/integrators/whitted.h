@@ -26,6 +26,7 @@
 #include "kernel/integrators/nested.h"
 #include "kernel/lights/indirect.h"
 #include "kernel/lights/photon_light.h"
+#include "kernel/lights/subsurface.h"
 #endif
 
 KERNEL_BEGIN
@@ -85,6 +86,12 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #ifdef __cplusplus
             if (FEATURE(FEATURE_PHOTONS))
                 photon_light(SCENE_ s, lobes, layered, -path.ray.direction, found, base, highlight);
+            if (FEATURE(FEATURE_SUBSURFACE)) {
+                mask spread;
+                base = base + subsurface_light(SCENE_ s, lobes, layered, path.ray.direction, path.kind, path.media,
+                                               path.weight, mask_and(found, mask_not(crossing.leaves)), counts, spread);
+                if (RECORDING) record_unlike(spread, record);
+            }
             if (FEATURE(FEATURE_RADIOSITY))
                 base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
 #endif
