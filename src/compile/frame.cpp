@@ -290,11 +290,12 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
         frame.emitters.resize(1);
         if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
         if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
-        if (scene.subsurface) {
-            params.subsurface_samples = static_cast<std::uint32_t>(scene.subsurface->samples);
-            params.subsurface_single_samples = static_cast<std::uint32_t>(scene.subsurface->single_samples);
-        }
     }
+    if (scene.subsurface) {
+        params.subsurface_samples = static_cast<std::uint32_t>(scene.subsurface->samples);
+        params.subsurface_single_samples = static_cast<std::uint32_t>(scene.subsurface->single_samples);
+    }
+    if (!options.subsurface) params.features &= ~kernel::FEATURE_SUBSURFACE;
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

@@ -185,11 +185,14 @@ TEST_F(SubsurfaceScene, OpenSurfacesAreTwiceAsBright) {
     EXPECT_NEAR(mean().x, 0.4307F, 0.004F);
 }
 
-// What isn't asked for isn't there: a finish's translucency in a scene that has no `subsurface`. Catches surfaces that
-// are black instead.
+// What isn't asked for isn't there: by the frame, or a finish's translucency in a scene that has no `subsurface`.
+// Catches surfaces that are black instead.
 TEST_F(SubsurfaceScene, IsThereOnlyWhereTheSceneAsksForIt) {
     add_block({0.2F, 0.5F, 0.9F}, {0.5F, 0.5F, 0.5F}, 1.5F);
     add_sun({0, -1, 0});
+    options_.subsurface = false;
+    EXPECT_NEAR(mean().z, 0.9F, 1e-5F);
+    options_.subsurface = true;
     scene_.subsurface.reset();
     EXPECT_NEAR(mean().z, 0.9F, 1e-5F);
     EXPECT_EQ(compile(scene_, {})->features & kernel::FEATURE_SUBSURFACE, 0U);
@@ -216,6 +219,41 @@ TEST_F(SubsurfaceScene, MeshesOfAnyWinding) {
         add_sun({0, -1, 0});
         EXPECT_NEAR(mean().y, 0.5F + static_cast<float>(albedo_of(0.5)) / 24, 0.02F) << turned;
     }
+}
+
+// Paths bring the same light, but that at the boundary they take the mean of all directions for the share that comes
+// in: light at 60 degrees, where that is nearly so. Catches weights of paths that aren't those of their choices.
+TEST_F(SubsurfaceScene, PathsBringTheSameLight) {
+    add_block({0.1F, 0.5F, 0.9F}, {0.3F, 0.5F, 1}, 1.4F);
+    add_sun({0, -0.5F, 0.866F});
+    const Vec3 whitted = mean();
+    options_.integrator = kernel::INTEGRATOR_PATH;
+    options_.max_depth = 1;
+    const Film film = render_on(*device_, scene_, options_, 256).film;
+    Vec3 paths{};
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) paths += film.mean(x, y) * (1.0F / 256);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(paths[c], whitted[c], 0.04F * whitted[c]) << c;
+}
+
+// Highlights are on top of what comes from below, by paths as well. Catches one of the two drawn with the other's odds.
+TEST_F(SubsurfaceScene, PathsKeepTheHighlight) {
+    scene::Material shiny = wax({0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}, 1.4F);
+    auto texture = std::make_shared<scene::LayeredTexture>(*shiny.patterned->texture);
+    texture->layers[0].finish.specular = 0.4F;
+    texture->layers[0].finish.roughness = 0.02F;
+    shiny.patterned->texture = texture;
+    add_shape(scene_, scene::Box{{-20, 5, -20}, {20, 25, 20}}, add_material(scene_, shiny));
+    add_sun({0, -1, 0});
+    const Vec3 whitted = mean();
+    options_.integrator = kernel::INTEGRATOR_PATH;
+    options_.max_depth = 1;
+    const Film film = render_on(*device_, scene_, options_, 256).film;
+    float paths = 0;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) paths += film.mean(x, y).x / 256;
+    EXPECT_GT(whitted.x, 0.8F);
+    EXPECT_NEAR(paths, whitted.x, 0.05F * whitted.x);
 }
 
 // Catches random numbers that depend on who draws them.

@@ -299,7 +299,7 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
 #ifdef __cplusplus
     if (FEATURE(FEATURE_SUBSURFACE)) {
         mask outside = mask_and(from_top, mask_not(crossing.leaves));
-        go_below(SCENE_ layered, outside, counts, path, s, lobes, scatter, basis);
+        go_below(SCENE_ layered, outside, counts, path, radiance, s, lobes, scatter, basis);
     }
 #endif
     word dimension = path.vertices * word(CHOICES_A_VERTEX) + word(FIRST_CHOICE);

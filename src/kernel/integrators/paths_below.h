@@ -18,28 +18,17 @@ const uint TRIES_BELOW = 16u;
 
 /// Where surfaces let light in, paths choose between what they are on top (highlights, mirrors) and what is below:
 /// there the surface becomes a matt white one at a place where light may have entered, and the path's weight what comes
-/// from there by diffusion. Single scattering is left out. Places are drawn as diffused_light() draws them.
+/// from there by diffusion. Places are drawn as diffused_light() draws them. Light of lights without size that is
+/// scattered once is added to `radiance`, by one sample.
 FN_LARGE void go_below(SCENE LARGE(LayerColors) layered, mask outside, INOUT(RayCounts) counts, INOUT(TracedPath) path,
-                       INOUT(Surface) s, INOUT(Lobes) lobes, INOUT(Scatter) scatter, INOUT(ShadingFrame) basis) {
+                       INOUT(real3) radiance, INOUT(Surface) s, INOUT(Lobes) lobes, INOUT(Scatter) scatter,
+                       INOUT(ShadingFrame) basis) {
     real3 black = real3(real(0.0f));
     real3 reflectance;
     real3 reach;
     mask spread =
         translucent_layers(SCENE_ s.material, layered, mask_and(outside, lobes.patterned), reflectance, reach);
     if (!any_lane(spread)) return;
-    word first = word(FIRST_CHOICE_BELOW) + path.vertices * word(CHOICES_BELOW);
-    real most = largest(reflectance);
-    real above = scatter.rough * scatter.gloss + scatter.mirrored + scatter.through;
-    real below = select(above > real(0.0f), clamp(1.0f - above, real(0.1f), real(0.9f)), real(1.0f));
-    mask goes = mask_and(spread, sample_hash(path.draws, first) < below);
-    goes = mask_and(goes, most > real(0.0f));
-    mask stays = mask_and(spread, mask_not(goes));
-    path.weight = select(stays, path.weight * (1.0f / max(1.0f - below, real(1e-3f))), path.weight);
-    lobes.albedo = select(stays, black, lobes.albedo);
-    // What is left on top scatters by its highlight.
-    scatter.gloss = select(mask_and(stays, scatter.gloss > real(0.0f)), real(1.0f), scatter.gloss);
-    if (!any_lane(goes)) return;
-
     SubsurfacePoint point;
     point.s = s;
     point.eta = select(spread, lobes.eta, real(1.0f));
@@ -48,6 +37,23 @@ FN_LARGE void go_below(SCENE LARGE(LayerColors) layered, mask outside, INOUT(Ray
     point.kind = path.kind;
     point.media = path.media;
     point.patterned = lobes.patterned;
+    real leaving = 1.0f - fresnel_dielectric(-dot(s.normal, path.ray.direction), point.eta);
+    if (FRAME.light_count > 0u) {
+        real3 once = single_scattered_light(SCENE_ point, path.ray.direction, word(1u), spread, counts);
+        radiance = radiance + select(spread, path.weight * once * leaving, black);
+    }
+    word first = word(FIRST_CHOICE_BELOW) + path.vertices * word(CHOICES_BELOW);
+    real above = scatter.rough * scatter.gloss + scatter.mirrored + scatter.through;
+    real below = select(above > real(0.0f), clamp(1.0f - above, real(0.1f), real(0.9f)), real(1.0f));
+    below = select(largest(reflectance) > real(0.0f), below, real(0.0f));
+    mask goes = mask_and(spread, sample_hash(path.draws, first) < below);
+    mask stays = mask_and(spread, mask_not(goes));
+    path.weight = select(stays, path.weight * (1.0f / max(1.0f - below, real(1e-3f))), path.weight);
+    lobes.albedo = select(stays, black, lobes.albedo);
+    // What is left on top scatters by its highlight.
+    scatter.gloss = select(mask_and(stays, scatter.gloss > real(0.0f)), real(1.0f), scatter.gloss);
+    if (!any_lane(goes)) return;
+
     ShadingFrame around = frame_around(s.geometric_normal);
     real3 depth = depths_below(SCENE_ point, goes, counts);
     real3 value = black;
@@ -74,7 +80,6 @@ FN_LARGE void go_below(SCENE LARGE(LayerColors) layered, mask outside, INOUT(Ray
     }
     value = select(searching, black, value);
     // The boundary takes its share at the way out, and at the way in that of light from all sides.
-    real leaving = 1.0f - fresnel_dielectric(-dot(s.normal, path.ray.direction), point.eta);
     real entering = 2.0f / (dipole_boundary(1.0f / point.eta) + 1.0f);
     path.weight = select(goes, path.weight * value * (leaving * entering / below), path.weight);
     lobes.diffuse = select(goes, real3(real(1.0f)), lobes.diffuse);

@@ -105,6 +105,13 @@ const float SUBSURFACE_MOST = 8.0f;
 /// The part of a number behind the point.
 FN real wrapped(real x) { return x - floor(x); }
 
+/// Of red, green and blue, that whose turn it is at sample k; `turn` says at random who begins, so that few samples are
+/// as fair as many.
+FN real channel_in_turn(real3 v, real turn, uint k) {
+    real third = wrapped(turn + float(k % 3u) * 0.333333333f);
+    return select(third < real(0.333333333f), v.x, select(third < real(0.666666667f), v.y, v.z));
+}
+
 /// How deep under the point the dipole's sources stand, from which places are looked for: not out of the other side of
 /// something thin, nor in the rounding of the surface itself.
 FN real3 depths_below(SCENE LARGE(SubsurfacePoint) point, mask wanted, INOUT(RayCounts) counts) {
@@ -170,14 +177,14 @@ FN_LARGE real3 diffused_light(SCENE LARGE(SubsurfacePoint) point, word samples, 
     ShadingFrame basis = frame_around(point.s.geometric_normal);
     real turn_x = random_at(p, word(101u));
     real turn_y = random_at(p, word(102u));
+    real turn_channel = random_at(p, word(100u));
     real3 sum = black;
     real counted = real(0.0f);
     for (uint k = 0u; k < FRAME.subsurface_samples; k = k + 1u) {
         mask here = mask_and(wanted, word(k) < samples);
         if (!any_lane(here)) break;
         real2 turned = real2(wrapped(turn_x + 0.754877666f * float(k)), wrapped(turn_y + 0.569840291f * float(k)));
-        uint channel = k % 3u;
-        real under = channel == 0u ? depth.x : channel == 1u ? depth.y : depth.z;
+        real under = channel_in_turn(depth, turn_channel, k);
         Surface x;
         mask found = place_below(SCENE_ point, basis, turned, under, here, counts, x);
         if (!any_lane(found)) continue;
@@ -217,6 +224,7 @@ FN_LARGE real3 single_scattered_light(SCENE LARGE(SubsurfacePoint) point, real3 
     real3 depth = point.dipole.depth;
     real3 rate = real3(2.0f / depth.x, 2.0f / depth.y, 2.0f / depth.z);
     real turn = random_at(point.s.position, word(99u));
+    real turn_channel = random_at(point.s.position, word(98u));
     real3 sum = black;
     real taken = real(0.0f);
     for (uint k = 0u; k < FRAME.subsurface_single_samples; k = k + 1u) {
@@ -224,8 +232,7 @@ FN_LARGE real3 single_scattered_light(SCENE LARGE(SubsurfacePoint) point, real3 
         if (!any_lane(here)) break;
         taken = taken + select(here, real(1.0f), real(0.0f));
         real u = max(1.0f - wrapped(turn + 0.618033989f * float(k)), real(1e-7f));
-        uint channel = k % 3u;
-        real distance = log2_positive(u) * -0.34657359f * (channel == 0u ? depth.x : channel == 1u ? depth.y : depth.z);
+        real distance = log2_positive(u) * -0.34657359f * channel_in_turn(depth, turn_channel, k);
         here = mask_and(here, distance < room);
         if (!any_lane(here)) continue;
         real3 drawn_share = real3(exp_negative(rate.x * distance) * rate.x, exp_negative(rate.y * distance) * rate.y,
