@@ -160,6 +160,30 @@ TEST_F(SubsurfaceScene, LightComesThroughThinThings) {
     EXPECT_LT(before, 0.9F);
 }
 
+// What comes through a sheet of thickness d without a boundary: the dipole's integral over the back, whose places are
+// sqrt(r^2 + d^2) away, and what is scattered once, albedo / 8 exp(-d/l) (1 - exp(-d/l)). Catches places that are cut
+// off or are too near where a wall is thinner than the mean free path l.
+TEST_F(SubsurfaceScene, ThinSheetsPassWhatTheDipoleSays) {
+    scene_.subsurface->samples = 4000;
+    add_sun({0, 1, 0});
+    const double albedo = albedo_of(0.9), length = 0.1 * albedo, fading = std::sqrt(3 * (1 - albedo)) / length;
+    for (const float thick : {0.1F, 0.02F}) {
+        scene_.objects.clear();
+        add_block({0.9F, 0.9F, 0.9F}, {1, 1, 1}, 1, thick);
+        double expected = albedo / 8 * std::exp(-thick / length) * (1 - std::exp(-thick / length));
+        constexpr double kStep = 1.01;
+        for (double r = 1e-4; r < 100; r *= kStep) {
+            double value = 0;
+            for (const double source : {length, length * 7 / 3}) {
+                const double way = std::sqrt(r * r * kStep + thick * thick + source * source);
+                value += source * (1 + fading * way) * std::exp(-fading * way) / (way * way * way);
+            }
+            expected += albedo / 4 * value * r * r * (kStep * kStep - 1);
+        }
+        EXPECT_NEAR(mean().x, expected, 0.03 * expected) << thick;
+    }
+}
+
 // Four times as large in a scene whose units are a quarter as long: the same picture, but for noise. Catches lengths
 // that don't follow one of the two.
 TEST_F(SubsurfaceScene, ScaleIsNothingButUnits) {

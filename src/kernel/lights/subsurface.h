@@ -162,8 +162,11 @@ FN real3 value_of_place(LARGE(SubsurfacePoint) point, real3 depth, LARGE(Surface
     }
     density = density * (0.159154943f / 3.0f);
     real3 value = dipole_reflectance(point.dipole, dot(off, off)) * (1.0f / max(density, real(1e-30f)));
-    // On a plane it is under 6 for any medium; a place that is met at a grazing angle would be a bright dot.
-    return min(value, real3(real(SUBSURFACE_MOST)));
+    // On a plane it is under 6 for any medium, and more by as much as the sources had to be nearer than the dipole's; a
+    // place that is met at a grazing angle would be a bright dot.
+    real3 source = point.dipole.depth;
+    real3 nearer = max(real3(source.x / depth.x, source.y / depth.y, source.z / depth.z), real3(real(1.0f)));
+    return min(value, nearer * SUBSURFACE_MOST);
 }
 
 /// Light that comes out at a point after having been scattered many times. Rays in all directions from under it, where
