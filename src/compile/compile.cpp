@@ -294,7 +294,7 @@ bool has_map(const RenderScene& scene, const kernel::Bsdf& bsdf, std::uint32_t w
     return bsdf.maps != kernel::NONE && scene.bsdf_maps[bsdf.maps].map[which].texture != kernel::NONE;
 }
 
-/// Whether light may pass a material without being bent, as kernel/lights/emitter_shadow.h has it.
+/// Whether light may pass a material without being bent, as kernel/materials/veils.h has it.
 bool is_veil(const RenderScene& scene, const kernel::Material& material) {
     if ((material.flags & kernel::MATERIAL_TRANSPARENT) == 0) return false;
     if (material.bsdf != kernel::NONE) {

@@ -36,6 +36,7 @@ struct FrameOptions {
     float focus_distance = 0;       ///< To what is sharp, along the view axis.
     std::uint32_t lens_blades = 0;  ///< Sides of its aperture; under 3: it is round.
     bool radiosity = true;          ///< False: scenes that have it are drawn with ambient light instead.
+    bool subsurface = true;         ///< False: light that enters a surface comes out where it entered.
 };
 
 /// The frame of a compiled scene at a moment: camera, lights, moving objects, limits.

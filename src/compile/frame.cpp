@@ -285,11 +285,17 @@ Frame make_frame(const scene::Scene& scene, const RenderScene& compiled, const F
         // Paths find the light that these stand for.
         params.ambient = {0, 0, 0};
         list_emitters(compiled, frame);
+        if (options.integrator != kernel::INTEGRATOR_PATH) params.features &= ~kernel::FEATURE_SUBSURFACE;
     } else {
         frame.emitters.resize(1);
         if (scene.radiosity && options.radiosity) set_radiosity(*scene.radiosity, frame);
         if (scene.photons) set_photons(*scene.photons, scene, compiled, frame);
     }
+    if (scene.subsurface) {
+        params.subsurface_samples = static_cast<std::uint32_t>(scene.subsurface->samples);
+        params.subsurface_single_samples = static_cast<std::uint32_t>(scene.subsurface->single_samples);
+    }
+    if (!options.subsurface) params.features &= ~kernel::FEATURE_SUBSURFACE;
     if (settings.cull_backfaces) params.features |= kernel::FEATURE_CULL;
     return frame;
 }

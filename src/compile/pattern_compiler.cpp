@@ -33,6 +33,15 @@ bool lets_light_through(const Pigment& pigment, const std::vector<scene::Texture
     });
 }
 
+/// In the scene's units; a channel without any, in which povray's pictures are black, has hardly any.
+kernel::vec3 translucency_of(const scene::Finish& finish, const scene::Scene& scene) {
+    constexpr float kLeastMm = 1e-4F;
+    const Vec3& t = finish.translucency;
+    if (!scene.subsurface || !(std::max({t.x, t.y, t.z}) > 0)) return {0, 0, 0};
+    const float unit = 1 / scene.mm_per_unit;
+    return {std::max(t.x, kLeastMm) * unit, std::max(t.y, kLeastMm) * unit, std::max(t.z, kLeastMm) * unit};
+}
+
 kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t program) {
     const scene::Finish& f = layer.finish;
     kernel::Layer out{};
@@ -239,6 +248,8 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
         const std::uint32_t program = colorless ? kernel::NONE : program_of(*layer->pigment, layer->share.get());
         out_.layers.push_back(kernel_layer(*layer, program));
         out_.layers.back().normal = kernel::NONE;
+        out_.layers.back().translucency = translucency_of(layer->finish, scene_);
+        layers.subsurface = layers.subsurface || out_.layers.back().translucency.x > 0;
         if (layer->normal && !layer->normal->is_flat()) {
             out_.layers.back().normal = normals_of(*layer->normal);
             out_.layers.back().normal_uses_uv = layer->normal->uv_mapping ? 1 : 0;
@@ -311,6 +322,8 @@ kernel::Material PatternCompiler::compile_surface(const scene::Material& materia
     patterned.double_illuminated = surface.double_illuminate ? 1 : 0;
     if (out_.interiors[patterned.interior].dispersion != 1)
         out_.only_on_cpu.push_back({material.where, "light is dispersed by the CPU only"});
+    if (layers.subsurface)
+        out_.only_on_cpu.push_back({material.where, "light below surfaces is drawn by the CPU only"});
     if (layers.exponent) out_.only_on_cpu.push_back({material.where, "reflection_exponent is for the CPU only"});
 
     patterned.medium = kernel::NONE;
@@ -391,6 +404,7 @@ std::uint32_t pattern_features(const RenderScene& scene, const kernel::Material&
     for (std::uint32_t i = 0; i < patterned.layer_count; ++i) {
         const kernel::Layer& layer = scene.layers[patterned.first_layer + i];
         if (layer.normal != kernel::NONE) features |= kernel::FEATURE_NORMALS;
+        if (layer.translucency.x > 0) features |= kernel::FEATURE_SUBSURFACE;
         if (layer.reflection_exponent != 1) features |= kernel::FEATURE_EXPONENTS;
         if (layer.uses_uv != 0 || (layer.normal != kernel::NONE && layer.normal_uses_uv != 0))
             features |= kernel::FEATURE_TEXTURES;

@@ -38,7 +38,7 @@ public:
 private:
     struct Layers {
         std::uint32_t first = 0, count = 0;
-        bool transparent = false, reflective = false, exponent = false, backlit = false;
+        bool transparent = false, reflective = false, exponent = false, backlit = false, subsurface = false;
     };
     /// Its interior's number among the RenderScene's.
     std::uint32_t interior_of(const scene::PatternedSurface& surface);

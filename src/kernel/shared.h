@@ -343,6 +343,8 @@ KERNEL_CONST uint FEATURE_ENVIRONMENT = 33554432u;  ///< FrameParams::environmen
 KERNEL_CONST uint FEATURE_VEILS = 67108864u;        ///< Some material lets light pass that doesn't bend.
 /// Some vertex has a colour, a tangent or second texture coordinates: each has VERTEX_UVS entries of `uvs`.
 KERNEL_CONST uint FEATURE_VERTEX_ATTRIBUTES = 134217728u;
+/// Some layer lets light in that comes out elsewhere (the CPU device's alone).
+KERNEL_CONST uint FEATURE_SUBSURFACE = 1073741824u;
 KERNEL_CONST uint FEATURE_ONE_SIDED = 268435456u;  ///< The eye may see some MATERIAL_ONE_SIDED from behind.
 
 /// With FEATURE_VERTEX_ATTRIBUTES, a vertex's entries of `uvs`: its texture coordinates, the second ones, red and
@@ -554,6 +556,8 @@ struct Layer {
     float reflection_exponent;  ///< If FEATURE_EXPONENTS: one over the exponent of the radiance that is reflected.
     float crand;                ///< Random darkening of matt light, at most.
     float irid, irid_thickness, irid_turbulence;  ///< A thin film; amount 0: none.
+    /// If FEATURE_SUBSURFACE: how far light goes below the surface before it is scattered; all 0: it doesn't enter.
+    vec3 translucency;
 };
 
 struct Light {
@@ -663,6 +667,8 @@ struct FrameParams {
     float most_radiance;       ///< A path brings no more than this; 0: as much as there is.
     float occlusion_distance;  ///< Of INTEGRATOR_OCCLUSION.
     uint emitter_count;        ///< 0: nothing that paths could aim at.
+    /// If FEATURE_SUBSURFACE: places where light may have entered, and points where it may have been scattered once.
+    uint subsurface_samples, subsurface_single_samples;
     float
         emitted_power;  ///< What emitters' probabilities are shares of: emission_power times area, for those with one.
     Environment environment;
@@ -680,6 +686,10 @@ KERNEL_CONST uint AOV_NORMAL = 2u;  ///< World-space shading normal, towards the
 KERNEL_CONST uint AOV_ALBEDO = 4u;  ///< Diffuse colour after textures.
 KERNEL_CONST uint AOV_OBJECT = 8u;  ///< Geometry index (NONE on a miss), primitive and material.
 KERNEL_CONST uint AOV_COST = 16u;   ///< Rays traced for the pixel.
+/// Depth, normal and albedo are means over what is seen through surfaces that don't bend light, too (integrators/
+/// seen_through.h); at least AOV_FAR deep where there is nothing. Of Whitted's integrator alone.
+KERNEL_CONST uint AOV_BEYOND = 32u;
+KERNEL_CONST float AOV_FAR = 1.0e30f;
 
 #ifdef __cplusplus
 }  // namespace sundog::kernel

@@ -95,6 +95,8 @@ struct Finish {
     bool conserve_energy = false;
     float crand = 0;  ///< Each light's matt light is darkened by up to this much, at random.
     float irid = 0, irid_thickness = 0, irid_turbulence = 0;  ///< A thin film: how much it does, and what it is like.
+    /// If the scene has Subsurface: mean free paths of red, green and blue light below the surface, in millimetres.
+    Vec3 translucency{0, 0, 0};
 };
 
 /// One layer of a texture.

@@ -314,6 +314,14 @@ struct Radiosity {
     bool keeps_ambient = false;  ///< Scenes from before version 3.7: `ambient` counts all the same.
 };
 
+/// Light that enters a surface and comes out elsewhere (section 3.4.6.3.3.4 "Subsurface Light Transport"): finishes
+/// with a translucency have it only where the scene asks for it.
+struct Subsurface {
+    SourceLocation where;
+    int samples = 50;         ///< Of places where light enters,
+    int single_samples = 50;  ///< and of points where it is scattered once.
+};
+
 /// A whole scene. Value type; importers make it, compile/ reads it.
 struct Scene {
     std::string name;
@@ -337,6 +345,8 @@ struct Scene {
     std::optional<Environment> environment;  ///< Instead of `sky`.
     std::optional<Radiosity> radiosity;
     std::optional<Photons> photons;
+    std::optional<Subsurface> subsurface;
+    float mm_per_unit = 10;  ///< What a unit of the scene stands for, in millimetres.
     Settings settings;
 };
 

@@ -76,7 +76,8 @@ std::optional<EyeHits> trace_eye_hits(Device& device, const Frame& frame, const 
     plain.params.lens_radius = 0;
     plain.params.sampling = {};
     plain.params.aovs = kernel::AOV_DEPTH | kernel::AOV_OBJECT;
-    plain.params.features &= ~(kernel::FEATURE_RADIOSITY | kernel::FEATURE_PHOTONS | kernel::FEATURE_SHADOWS);
+    plain.params.features &=
+        ~(kernel::FEATURE_RADIOSITY | kernel::FEATURE_PHOTONS | kernel::FEATURE_SHADOWS | kernel::FEATURE_SUBSURFACE);
     plain.radiosity.reset();
     plain.photons.reset();
     const auto width = static_cast<int>(frame.params.width), height = static_cast<int>(frame.params.height);

@@ -21,8 +21,9 @@ Frame finer(const Frame& frame) {
     out.params.max_depth = 0;
     out.params.light_count = 0;
     out.params.sampling = {};
-    out.params.aovs = kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_ALBEDO;
-    out.params.features &= ~(kernel::FEATURE_RADIOSITY | kernel::FEATURE_PHOTONS | kernel::FEATURE_SHADOWS);
+    out.params.aovs = kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_ALBEDO | kernel::AOV_BEYOND;
+    out.params.features &=
+        ~(kernel::FEATURE_RADIOSITY | kernel::FEATURE_PHOTONS | kernel::FEATURE_SHADOWS | kernel::FEATURE_SUBSURFACE);
     out.radiosity.reset();
     out.photons.reset();
     return out;
@@ -39,7 +40,7 @@ void add_row(const Film& fine, int y, int width, PictureGuides& guides) {
                 const std::size_t at = fine.index(x * kFiner + i, y * kFiner + j);
                 albedo += denoise::divisor(fine.albedo[at]) * kShare;
                 normal += fine.normal[at] * kShare;
-                if (fine.depth[at] > 0) nearness += kShare / fine.depth[at];
+                if (fine.depth[at] > 0 && fine.depth[at] < kernel::AOV_FAR / 2) nearness += kShare / fine.depth[at];
             }
         guides.albedo.push_back(albedo);
         guides.normal.push_back(normal);

@@ -9,7 +9,9 @@
 
 namespace sundog {
 
-/// Means over each pixel of a picture, row by row; all empty where there are none.
+/// Means over each pixel of a picture, row by row; all empty where there are none. Where surfaces don't bend light
+/// (thin veils, boundaries of media), of what is seen through them, too, each by the share of its light that reaches
+/// the eye.
 struct PictureGuides {
     /// Albedo: of each ray what light is to be divided by (denoise::divisor()), so 1 where it meets no diffuse surface:
     /// where a pixel sees a wall and glass or the sky beside it, the quotient lies between theirs.

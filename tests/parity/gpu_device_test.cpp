@@ -136,6 +136,26 @@ TEST_F(GpuDevice, GivesEachFilmItsOwnPlanes) {
     for (const float cost : film.cost) EXPECT_GE(cost, 1);
 }
 
+// Catches a scene whose light below surfaces would be left out without a word.
+TEST_F(GpuDevice, RefusesLightBelowSurfacesByItsLine) {
+    scene::Scene scene;
+    scene.subsurface.emplace();
+    auto texture = std::make_shared<scene::LayeredTexture>();
+    texture->layers.push_back({std::make_shared<scene::Pigment>(), {}});
+    texture->layers[0].finish.translucency = {1, 1, 1};
+    scene::Material wax;
+    wax.patterned->texture = texture;
+    wax.where = {std::make_shared<const std::string>("wax.pov"), 7, 1};
+    scene.materials.push_back(wax);
+    scene::Object ball;
+    ball.shape = scene::Sphere{{0, 0, 0}, 1};
+    ball.material = 0;
+    scene.objects.push_back(ball);
+    const auto reasons = gpu_->unsupported(*compile(scene, {}));
+    ASSERT_EQ(reasons.size(), 1U);
+    EXPECT_EQ(reasons[0], "wax.pov:7: light below surfaces is drawn by the CPU only; use --device cpu");
+}
+
 // Catches a scene that is too large for the GPU and is neither refused nor named.
 TEST_F(GpuDevice, NamesTheArrayThatIsTooLarge) {
     RenderScene scene;

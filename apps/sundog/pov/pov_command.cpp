@@ -258,6 +258,7 @@ private:
             options.min_weight = 1e6F;  // Not straight on either.
         }
         options.radiosity = settings_.quality >= 9;
+        options.subsurface = settings_.quality >= 9;
         return options;
     }
 

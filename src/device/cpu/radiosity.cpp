@@ -99,6 +99,8 @@ Radiosity::Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKern
         scene_.frame.rainbows = kernel::NONE;
         scene_.frame.features &= ~(kernel::FEATURE_MEDIA | kernel::FEATURE_HOLLOW);
     }
+    // Povray's default: what surfaces send each other doesn't go below them.
+    scene_.frame.features &= ~kernel::FEATURE_SUBSURFACE;
     // What the eye is inside of isn't where light is gathered.
     std::fill(std::begin(scene_.frame.eye_insides), std::end(scene_.frame.eye_insides), kernel::NONE);
     scene_.frame.eye_interiors_inner = scene_.frame.eye_interiors_outer = 0;

@@ -126,9 +126,28 @@ scene::SkySphere sky_sphere_of(BuildContext& context, const Block& block) {
     return sky;
 }
 
+scene::Subsurface read_subsurface(BuildContext& context, const Block& block, scene::Subsurface settings) {
+    constexpr int kMost = 100'000;
+    ItemReader items(context, block);
+    settings.where = context.location(block.where);
+    while (!items.at_end()) {
+        if (items.take(Keyword::samples)) {
+            settings.samples = items.integer("a number of samples", 1, kMost);
+            if (items.number_follows()) settings.single_samples = items.integer("a number of samples", 1, kMost);
+        } else if (items.take(Keyword::radiosity)) {
+            if (items.flag())
+                context.warn_once("subsurface radiosity", items.taken_where(),
+                                  "subsurface: light of radiosity is not spread below surfaces");
+        } else {
+            static constexpr std::array kValid{Keyword::samples, Keyword::radiosity};
+            items.unexpected(kValid);
+        }
+    }
+    return settings;
+}
+
 /// Settings of what isn't drawn yet, or makes no difference to how Sundog computes.
-constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves, Keyword::mm_per_unit,
-                                           Keyword::hf_gray_16};
+constexpr std::array kNumbersWithoutEffect{Keyword::max_intersections, Keyword::number_of_waves, Keyword::hf_gray_16};
 
 }  // namespace
 
@@ -175,8 +194,12 @@ void read_global_settings(BuildContext& context, const Block& block) {
             scene.radiosity = read_radiosity(context, *radiosity, scene.radiosity.value_or(scene::Radiosity{}));
         } else if (const auto photons = items.take_block(Keyword::photons)) {
             scene.photons = read_photons(context, *photons, scene.photons.value_or(scene::Photons{}));
-        } else if (items.take_block(Keyword::subsurface)) {
-            context.warn_once("subsurface", items.taken_where(), "light below surfaces isn't drawn yet");
+        } else if (const auto below = items.take_block(Keyword::subsurface)) {
+            scene.subsurface = read_subsurface(context, *below, scene.subsurface.value_or(scene::Subsurface{}));
+        } else if (items.take(Keyword::mm_per_unit)) {
+            const double mm = items.number("millimetres");
+            if (!(mm > 0)) items.fail("an mm_per_unit that is not positive", "expected millimetres, such as 10");
+            scene.mm_per_unit = static_cast<float>(mm);
         } else if (items.take(Keyword::assumed_gamma)) {
             const double gamma = items.take(Keyword::srgb) ? kLegacyGamma : items.number("a gamma");
             if (!(gamma > 0)) items.fail("an assumed_gamma that is not positive", "expected 1.0, 2.2 or srgb");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "import/pov/build_finish.h"
 
+#include <algorithm>
 #include <array>
 
 #include "import/pov/build_media.h"
@@ -40,8 +41,8 @@ public:
                 read_reflection(*reflection);
             } else if (const auto film = items_.take_block(Keyword::irid)) {
                 read_film(*film);
-            } else if (items_.take_block(Keyword::subsurface)) {
-                warn_of("subsurface", "light below surfaces isn't drawn yet");
+            } else if (const auto below = items_.take_block(Keyword::subsurface)) {
+                read_subsurface(*below);
             } else if (!read_light() && !read_mirror() && !read_old_interior()) {
                 unexpected();
             }
@@ -52,10 +53,6 @@ public:
 
 private:
     float number(std::string_view what) { return static_cast<float>(items_.number(what)); }
-
-    void warn_of(std::string_view feature, std::string message) {
-        context_.warn_once(feature, items_.taken_where(), std::string(feature) + ": " + std::move(message));
-    }
 
     bool read_light() {
         Finish& f = parts_.finish;
@@ -128,15 +125,26 @@ private:
         }
     }
 
+    void read_subsurface(const Block& block) {
+        ItemReader items(context_, block);
+        while (!items.at_end()) {
+            static constexpr std::array kValid{Keyword::translucency};
+            if (!items.take(Keyword::translucency)) items.unexpected(kValid);
+            const Vec3 translucency = rgb_of(items.color("a color"));
+            if (!(std::min({translucency.x, translucency.y, translucency.z}) >= 0))
+                items.fail("a translucency under 0", "expected mean free paths of light, in millimetres");
+            parts_.finish.translucency = translucency;
+        }
+    }
+
     void read_reflection(const Block& block) {
         ItemReader items(context_, block);
         Finish& f = parts_.finish;
-        bool first = true;
+        int colors = 0;
         while (!items.at_end()) {
             if (items.value_follows()) {
                 f.reflection_max = rgb_of(items.color("a color"));
-                if (first) f.reflection_min = f.reflection_max;
-                first = false;
+                if (++colors == 1) f.reflection_min = f.reflection_max;
             } else if (items.take(Keyword::fresnel)) {
                 f.reflection_fresnel = items.flag();
             } else if (items.take(Keyword::falloff)) {
@@ -151,6 +159,8 @@ private:
                 items.unexpected(kValid);
             }
         }
+        // As povray's pictures show: Fresnel's equations have all of a single colour.
+        if (colors == 1 && f.reflection_fresnel) f.reflection_min = {};
     }
 
     /// What was the finish's before version 3.1 and is the interior's since.
@@ -210,7 +220,7 @@ std::string bytes_of(const scene::Finish& f) {
     append_bytes(key, f.ambient, f.emission, f.diffuse, f.diffuse_back, f.brilliance, f.phong, f.phong_size, f.specular,
                  f.roughness, f.metallic, f.reflection_min, f.reflection_max, f.reflection_falloff,
                  f.reflection_exponent, f.reflection_metallic, f.reflection_fresnel, f.conserve_energy, f.crand, f.irid,
-                 f.irid_thickness, f.irid_turbulence);
+                 f.irid_thickness, f.irid_turbulence, f.translucency);
     return key;
 }
 

@@ -23,7 +23,8 @@ bool same(const Finish& a, const Finish& b) {
            a.reflection_falloff == b.reflection_falloff && a.reflection_exponent == b.reflection_exponent &&
            a.reflection_metallic == b.reflection_metallic && a.reflection_fresnel == b.reflection_fresnel &&
            a.conserve_energy == b.conserve_energy && a.crand == b.crand && a.irid == b.irid &&
-           a.irid_thickness == b.irid_thickness && a.irid_turbulence == b.irid_turbulence;
+           a.irid_thickness == b.irid_thickness && a.irid_turbulence == b.irid_turbulence &&
+           a.translucency == b.translucency;
 }
 
 Finish mean(const std::vector<Finish>& finishes) {
@@ -34,7 +35,8 @@ Finish mean(const std::vector<Finish>& finishes) {
         for (const Finish& f : finishes) sum = sum + f.*member * share;
         result.*member = sum;
     };
-    for (const auto member : {&Finish::ambient, &Finish::emission, &Finish::reflection_min, &Finish::reflection_max})
+    for (const auto member :
+         {&Finish::ambient, &Finish::emission, &Finish::reflection_min, &Finish::reflection_max, &Finish::translucency})
         average(member);
     for (const auto member : {&Finish::diffuse, &Finish::diffuse_back, &Finish::brilliance, &Finish::phong,
                               &Finish::phong_size, &Finish::specular, &Finish::roughness, &Finish::metallic,

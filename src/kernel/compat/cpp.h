@@ -58,6 +58,7 @@
 #define SCENE_ scene,
 #define FRAME scene.frame
 #define FEATURE(bits) ((scene.frame.features & (bits)&SUNDOG_KERNEL_FEATURES) != 0u)
+#define WANTS_AOV(bits) ((scene.frame.aovs & (bits)) != 0u)
 #define AT(array, i) scene.array[i]
 #define FIELD(array, i, field) load(&scene.array[0].field, sizeof(scene.array[0]), i)
 #define GET(array, i) load(&scene.array[0], sizeof(scene.array[0]), i)

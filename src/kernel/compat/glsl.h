@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GLSL side of compat.h: one ray an invocation. The including shader declares, before any kernel function, the
-// buffers of kernel/arrays.h, a FrameParams named `frame`, and a specialization constant `frame_features`.
+// buffers of kernel/arrays.h, a FrameParams named `frame`, and specialization constants `frame_features` and
+// `frame_aovs`.
 #ifndef SUNDOG_KERNEL_COMPAT_GLSL_H
 #define SUNDOG_KERNEL_COMPAT_GLSL_H
 
@@ -16,6 +17,7 @@
 #define SCENE_
 #define FRAME frame
 #define FEATURE(bits) ((frame_features & (bits)) != 0u)
+#define WANTS_AOV(bits) ((frame_aovs & (bits)) != 0u)
 #define RECORDING false
 #define AT(array, i) array[i]
 #define FIELD(array, i, field) array[i].field

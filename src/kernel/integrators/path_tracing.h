@@ -20,6 +20,7 @@
 #include "kernel/materials/spectrum.h"
 #ifdef __cplusplus
 #include "kernel/integrators/particles.h"
+#include "kernel/integrators/paths_below.h"
 #endif
 
 KERNEL_BEGIN
@@ -278,6 +279,9 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     ShadingFrame basis = frame_around(s.normal);
     BsdfPoint point;
     if (FEATURE(FEATURE_BSDF)) take_bsdf(SCENE_ found, hit.t, path, s, lobes, scatter, basis, point);
+#ifdef __cplusplus
+    mask from_top = found;
+#endif
     if (FEATURE(FEATURE_MEDIA)) {
         take_particle(particle, path.ray, s, lobes, scatter, basis);
         found = mask_or(found, particle.met);
@@ -292,6 +296,12 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
         }
         radiance = radiance + select(found, path.weight * emission * share, black);
     }
+#ifdef __cplusplus
+    if (FEATURE(FEATURE_SUBSURFACE)) {
+        mask outside = mask_and(from_top, mask_not(crossing.leaves));
+        go_below(SCENE_ layered, outside, counts, path, radiance, s, lobes, scatter, basis);
+    }
+#endif
     word dimension = path.vertices * word(CHOICES_A_VERTEX) + word(FIRST_CHOICE);
     real2 picks = sample_pair(path.draws, dimension + word(2u));
     mask ends = mask_not(path.vertices < word(FRAME.max_depth));

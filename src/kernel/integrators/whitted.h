@@ -19,12 +19,14 @@
 #include "kernel/integrators/air.h"
 #include "kernel/integrators/path.h"
 #include "kernel/integrators/record.h"
+#include "kernel/integrators/seen_through.h"
 #include "kernel/integrators/surface_met.h"
 #include "kernel/lights/direct.h"
 #ifdef __cplusplus
 #include "kernel/integrators/nested.h"
 #include "kernel/lights/indirect.h"
 #include "kernel/lights/photon_light.h"
+#include "kernel/lights/subsurface.h"
 #endif
 
 KERNEL_BEGIN
@@ -84,6 +86,12 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #ifdef __cplusplus
             if (FEATURE(FEATURE_PHOTONS))
                 photon_light(SCENE_ s, lobes, layered, -path.ray.direction, found, base, highlight);
+            if (FEATURE(FEATURE_SUBSURFACE)) {
+                mask spread;
+                base = base + subsurface_light(SCENE_ s, lobes, layered, path.ray.direction, path.kind, path.media,
+                                               path.weight, mask_and(found, mask_not(crossing.leaves)), counts, spread);
+                if (RECORDING) record_unlike(spread, record);
+            }
             if (FEATURE(FEATURE_RADIOSITY))
                 base = base + indirect_light(SCENE_ s, smooth_normal, lobes, path.weight, found);
 #endif
@@ -94,6 +102,8 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                 first.geometry = select(found, s.geometry, word(NONE));
                 first.primitive = select(found, s.primitive, word(NONE));
                 first.material = select(found, s.material, word(NONE));
+                if (!RECORDING && FEATURE(FEATURE_VEILS) && WANTS_AOV(AOV_BEYOND))
+                    see_through(SCENE_ path, s, lobes, crossing, hit.t, found, counts, first);
             }
             if (FEATURE(FEATURE_MIRRORS | FEATURE_TRANSPARENT)) {
                 // Straight on where eta is 1, to the last bit.

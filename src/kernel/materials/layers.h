@@ -219,6 +219,10 @@ FN void light_layers(SCENE Surface s, LARGE(LayerColors) layered, mask lit, mask
             if (FEATURE(FEATURE_BACKLIT)) {
                 if (m.double_illuminated == 0u) diffuse = select(behind, real(layer.diffuse_back), diffuse);
             }
+            // Light that a layer lets in is subsurface_light()'s; that of photons stays where it came to.
+            if (FEATURE(FEATURE_SUBSURFACE)) {
+                if (layer.translucency.x > 0.0f && light_number < max(FRAME.light_count, 1u)) diffuse = real(0.0f);
+            }
             real matt = share * diffuse;
             if (layer.crand > 0.0f)
                 matt = matt - layer.crand * random_at(s.position, word(light_number * MAX_LAYERS + l));
