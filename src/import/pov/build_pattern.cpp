@@ -67,7 +67,7 @@ constexpr std::array kKinds{
     NamedKind{Keyword::wrinkles, Kind::wrinkles},
 };
 
-bool is_drawn(Kind kind) { return kind != Kind::pavement && kind != Kind::tiling; }
+bool is_drawn(Kind kind) { return kind != Kind::pavement; }
 
 /// slope <direction>, low, high [altitude <direction>, low, high], or with point_at; within a block or not.
 void read_slope(ItemReader& items, scene::SlopeForm& slope) {
@@ -124,6 +124,9 @@ void read_parameters(ItemReader& items, Keyword keyword, scene::Pattern& pattern
             return;
         case Keyword::tiling:
             pattern.tiling = items.integer("the number of a tiling", 1, 27);
+            if (pattern.tiling > 24)
+                items.context().warn_once("tiling", items.taken_where(), "tilings without a period aren't drawn yet",
+                                          "their surfaces get one colour of the map");
             return;
         case Keyword::density_file:
             items.take(Keyword::df3);
