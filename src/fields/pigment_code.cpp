@@ -9,6 +9,7 @@
 
 #include "base/diagnostics.h"
 #include "fields/host_fields.h"
+#include "fields/pavement.h"
 #include "fields/tilings.h"
 #include "kernel/shared.h"
 
@@ -298,6 +299,7 @@ private:
         } else if (is_tiling) {
             write_tiling(pattern.tiling, slot, point);
         } else if (is_host_field(pattern.kind)) {
+            if (pattern.kind == Pattern::Kind::pavement) check_pavement(pattern.pavement);
             instruction(kernel::OP_HOST_FIELD, slot, point, slot);
             code_.push_back(host_.add_field(pattern, *where_));
         } else {
@@ -311,6 +313,15 @@ private:
         put(as_it_is ? 1 : pattern.frequency);
         put(!drawn ? 0.5 : as_it_is ? 0 : pattern.phase);
         put(pattern.exponent);
+    }
+
+    void check_pavement(const scene::PavementForm& form) const {
+        if (find_arrangement(form.sides, form.tiles, form.pattern) != nullptr) return;
+        const std::string kind = std::to_string(form.tiles) + " tiles of " + std::to_string(form.sides) + " sides";
+        const int count = arrangement_count(form.sides, form.tiles);
+        throw InputError({Severity::error, *where_,
+                          "there is no pavement " + std::to_string(form.pattern) + " of " + kind, "",
+                          count == 0 ? "take fewer tiles" : "they are numbered 1 to " + std::to_string(count)});
     }
 
     void write_tiling(int number, std::uint32_t slot, std::uint32_t point) {
