@@ -7,6 +7,7 @@
 
 #include "fields/fractals.h"
 #include "fields/function_evaluator.h"
+#include "fields/pavement.h"
 #include "fields/pigment_evaluator.h"
 #include "fields/quilted.h"
 #include "fields/warps.h"
@@ -161,6 +162,7 @@ bool is_host_field(Kind kind) {
         case Kind::function:
         case Kind::material:
         case Kind::object:
+        case Kind::pavement:
         case Kind::quilted:
         case Kind::slope:
             return true;
@@ -193,6 +195,10 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
                     return test->inside(point.position) ? 1.0 : 0.0;
                 });
             break;
+        case Kind::pavement:
+            return field([pavement = Pavement(pattern.pavement)](const FieldPoint& point) {
+                return pavement.at(point.position.x, point.position.z);
+            });
         case Kind::quilted:
             return field([c0 = pattern.control0, c1 = pattern.control1](const FieldPoint& point) {
                 return quilted_value(c0, c1, point.position);

@@ -9,6 +9,8 @@
 
 #include "base/diagnostics.h"
 #include "fields/host_fields.h"
+#include "fields/pavement.h"
+#include "fields/tilings.h"
 #include "kernel/shared.h"
 
 namespace sundog::fields {
@@ -276,6 +278,7 @@ private:
     void write_field(const Pattern& pattern, std::uint32_t slot, std::uint32_t base) {
         const std::uint32_t point = write_point(pattern, *where_, slot, base);
         const std::optional<std::uint32_t> field = field_of(pattern.kind);
+        const bool is_tiling = pattern.kind == Pattern::Kind::tiling && pattern.tiling <= kPeriodicTilings;
         const bool is_gray = pattern.pigment != nullptr &&
                              (pattern.kind == Pattern::Kind::pigment || pattern.kind == Pattern::Kind::image);
         if (is_gray) {
@@ -293,7 +296,10 @@ private:
             instruction(kernel::OP_CRACKLE, slot, point);
             put(pattern.crackle.form), put(pattern.crackle.metric), put(pattern.crackle.offset);
             code_.push_back(pattern.crackle.solid ? 1 : 0);
+        } else if (is_tiling) {
+            write_tiling(pattern.tiling, slot, point);
         } else if (is_host_field(pattern.kind)) {
+            if (pattern.kind == Pattern::Kind::pavement) check_pavement(pattern.pavement);
             instruction(kernel::OP_HOST_FIELD, slot, point, slot);
             code_.push_back(host_.add_field(pattern, *where_));
         } else {
@@ -301,12 +307,28 @@ private:
         }
         instruction(kernel::OP_WAVE, slot);
         // What isn't drawn takes the middle of its map everywhere.
-        const bool drawn = is_gray || field || is_host_field(pattern.kind);
+        const bool drawn = is_gray || field || is_host_field(pattern.kind) || is_tiling;
         code_.push_back(drawn ? wave_of(pattern) : kernel::WAVE_RAMP);
         const bool as_it_is = pattern.frequency == 0;
         put(as_it_is ? 1 : pattern.frequency);
         put(!drawn ? 0.5 : as_it_is ? 0 : pattern.phase);
         put(pattern.exponent);
+    }
+
+    void check_pavement(const scene::PavementForm& form) const {
+        if (find_arrangement(form.sides, form.tiles, form.pattern) != nullptr) return;
+        const std::string kind = std::to_string(form.tiles) + " tiles of " + std::to_string(form.sides) + " sides";
+        const int count = arrangement_count(form.sides, form.tiles);
+        throw InputError({Severity::error, *where_,
+                          "there is no pavement " + std::to_string(form.pattern) + " of " + kind, "",
+                          count == 0 ? "take fewer tiles" : "they are numbered 1 to " + std::to_string(count)});
+    }
+
+    void write_tiling(int number, std::uint32_t slot, std::uint32_t point) {
+        const std::vector<std::uint32_t> words = tiling_words(periodic_tiling(number));
+        instruction(kernel::OP_TILING, slot, point);
+        code_.push_back(static_cast<std::uint32_t>(words.size()));
+        code_.insert(code_.end(), words.begin(), words.end());
     }
 
     void write_kernel_field(const Pattern& pattern, std::optional<std::uint32_t> field, std::uint32_t slot,

@@ -218,6 +218,9 @@ KERNEL_CONST uint OP_WEIGHT = 19u;  ///< The program's weight = colour[0].red; w
 /// value[target] = itself to the power of the operand, as a function's value: what is above 1 without its whole part, 0
 /// where there is none.
 KERNEL_CONST uint OP_POWER = 20u;
+/// value[target] = tiling at point[source], see kernel/patterns/tiling.h: count of all words that follow, then those of
+/// tiling_value().
+KERNEL_CONST uint OP_TILING = 21u;
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;

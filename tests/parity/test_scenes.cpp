@@ -240,6 +240,11 @@ Scene procedural() {
     interior.fade_color = {0.1F, 0.3F, 0.1F};
     scene.materials[2] = layers({{glass_color, finish}}, interior);
     scene.materials[3] = layers({{picture, finish}});
+    const auto tiles = pattern(Pigment::Kind::mapped, Pattern::Kind::tiling,
+                               {entry(0, {0.1F, 0.2F, 0.5F, 0, 0}), entry(1, {0.9F, 0.8F, 0.6F, 0, 0})});
+    tiles->pattern.tiling = 16;
+    tiles->pattern.pattern_from_texture = {{8, 0, 0}, {0, 8, 0}, {0, 0, 8}, {}};
+    put(scene, "tiled bead", scene::Sphere{{0.1F, -0.9F, 0.5F}, 0.3F}, add(scene, layers({{tiles, finish}})));
     // One texture, and a colour for each surface.
     const scene::Material plain = layers({{std::make_shared<Pigment>(), finish}});
     for (const scene::PigmentColor& color :

@@ -67,8 +67,6 @@ constexpr std::array kKinds{
     NamedKind{Keyword::wrinkles, Kind::wrinkles},
 };
 
-bool is_drawn(Kind kind) { return kind != Kind::pavement && kind != Kind::tiling; }
-
 /// slope <direction>, low, high [altitude <direction>, low, high], or with point_at; within a block or not.
 void read_slope(ItemReader& items, scene::SlopeForm& slope) {
     slope = {};
@@ -124,6 +122,13 @@ void read_parameters(ItemReader& items, Keyword keyword, scene::Pattern& pattern
             return;
         case Keyword::tiling:
             pattern.tiling = items.integer("the number of a tiling", 1, 27);
+            if (pattern.tiling > 24)
+                items.context().warn_once("tiling", items.taken_where(), "tilings without a period aren't drawn yet",
+                                          "their surfaces get one colour of the map");
+            return;
+        case Keyword::pavement:
+            pattern.pavement = {};
+            pattern.pavement.sides = 3;
             return;
         case Keyword::density_file:
             items.take(Keyword::df3);
@@ -137,14 +142,10 @@ void read_parameters(ItemReader& items, Keyword keyword, scene::Pattern& pattern
     }
 }
 
-void set_kind(ItemReader& items, PatternParts& parts, Keyword keyword, Kind kind) {
+void set_kind(ItemReader& items, PatternParts& parts, Kind kind) {
     parts.pattern.kind = kind;
     parts.given = true;
     if (parts.pattern.noise_generator == 0) parts.pattern.noise_generator = items.context().noise_generator;
-    if (is_drawn(kind)) return;
-    const std::string name(spelling(keyword));
-    items.context().warn_once("pattern " + name, items.taken_where(), "pattern '" + name + "' isn't drawn yet",
-                              "its surfaces get one colour of its map");
 }
 
 /// A pattern that is a block: image_pattern { }, pigment_pattern { }, object { }, slope { }, aoi { }.
@@ -160,16 +161,16 @@ bool read_kind_block(ItemReader& items, PatternParts& parts) {
             return word != nullptr && *word == Keyword::use_alpha;
         });
         parts.pattern.pigment = std::move(pigment);
-        set_kind(items, parts, Keyword::image_pattern, Kind::image);
+        set_kind(items, parts, Kind::image);
     } else if (const auto pigment = items.take_block(Keyword::pigment_pattern)) {
         parts.pattern.pigment = std::make_shared<const scene::Pigment>(read_pigment(context, *pigment, {}));
         parts.pattern.uses_alpha = false;
-        set_kind(items, parts, Keyword::pigment_pattern, Kind::pigment);
+        set_kind(items, parts, Kind::pigment);
     } else if (const auto slope = items.take_block(Keyword::slope)) {
         ItemReader inside(context, *slope);
         read_slope(inside, parts.pattern.slope);
         if (!inside.at_end()) inside.unexpected("'}'");
-        set_kind(items, parts, Keyword::slope, Kind::slope);
+        set_kind(items, parts, Kind::slope);
     } else if (const auto object = items.take_block(Keyword::object)) {
         ItemReader inside(context, *object);
         const auto solid = inside.take_block();
@@ -178,9 +179,9 @@ bool read_kind_block(ItemReader& items, PatternParts& parts) {
         auto list = std::make_shared<Block>(*object);
         list->items.erase(list->items.begin());
         parts.list = std::move(list);
-        set_kind(items, parts, Keyword::object, Kind::object);
+        set_kind(items, parts, Kind::object);
     } else if (items.take_block(Keyword::aoi)) {
-        set_kind(items, parts, Keyword::aoi, Kind::aoi);
+        set_kind(items, parts, Kind::aoi);
     } else {
         return false;
     }
@@ -197,7 +198,7 @@ bool read_kind(ItemReader& items, PatternParts& parts) {
         } else {
             parts.pattern.function = read_functions(items.context(), std::array{function}, 3);
         }
-        set_kind(items, parts, Keyword::function, Kind::function);
+        set_kind(items, parts, Kind::function);
         return true;
     }
     const std::optional<Keyword> keyword = items.peek_keyword();
@@ -206,7 +207,7 @@ bool read_kind(ItemReader& items, PatternParts& parts) {
         std::find_if(kKinds.begin(), kKinds.end(), [&](const NamedKind& named) { return named.keyword == *keyword; });
     if (found == kKinds.end() || found->kind == Kind::function) return false;
     items.skip();
-    set_kind(items, parts, *keyword, found->kind);
+    set_kind(items, parts, found->kind);
     read_parameters(items, *keyword, parts.pattern);
     return true;
 }
@@ -230,6 +231,32 @@ std::optional<Wave> wave_of(Keyword keyword) {
     }
 }
 
+bool read_pavement_modifier(ItemReader& items, Keyword keyword, scene::PavementForm& pavement) {
+    const auto take = [&](int& number, const char* what, int least, int most) {
+        items.skip();
+        number = items.integer(what, least, most);
+        return true;
+    };
+    switch (keyword) {
+        case Keyword::number_of_sides:
+            take(pavement.sides, "a number of sides: 3, 4 or 6", 3, 6);
+            if (pavement.sides == 5) items.unexpected("a number of sides: 3, 4 or 6");
+            return true;
+        case Keyword::number_of_tiles:
+            return take(pavement.tiles, "a number of tiles", 1, 6);
+        case Keyword::pattern:
+            return take(pavement.pattern, "the number of a pavement", 1, 35);
+        case Keyword::exterior:
+            return take(pavement.exterior, "a look of corners", 0, 2);
+        case Keyword::interior:
+            return take(pavement.interior, "a look of corners", 0, 2);
+        case Keyword::form:
+            return take(pavement.form, "a look of corners", 0, 3);
+        default:
+            return false;
+    }
+}
+
 /// Parameters of single patterns, wherever they stand among the modifiers.
 bool read_own_modifier(ItemReader& items, Keyword keyword, scene::Pattern& pattern) {
     const auto taken = [&](auto read) {
@@ -241,6 +268,7 @@ bool read_own_modifier(ItemReader& items, Keyword keyword, scene::Pattern& patte
         type = items.integer("how a fractal is coloured", 0, 8);
         if (const auto number = items.maybe_number()) factor = *number;
     };
+    if (pattern.kind == Kind::pavement && read_pavement_modifier(items, keyword, pattern.pavement)) return true;
     switch (keyword) {
         case Keyword::control0:
             return taken([&] { pattern.control0 = items.number("a control value"); });

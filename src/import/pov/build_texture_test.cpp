@@ -269,11 +269,11 @@ TEST(BuildNormal, MapsAreWeightedParts) {
 // What isn't drawn yet is kept and told once, not at each use.
 TEST(BuildTexture, WarnsOnceOfWhatIsNotDrawn) {
     const BuiltScene built = build(
-        "#declare P = pigment { pavement turbulence 0.5 color_map { [0 rgb 0] [1 rgb 1] } }"
+        "#declare P = pigment { tiling 26 turbulence 0.5 color_map { [0 rgb 0] [1 rgb 1] } }"
         "sphere { 0, 1 pigment { P } normal { bumps 0.3 } } sphere { 0, 1 pigment { P } normal { dents 2 } }");
-    EXPECT_EQ(pigment(built).pattern.kind, scene::Pattern::Kind::pavement);
+    EXPECT_EQ(pigment(built).pattern.kind, scene::Pattern::Kind::tiling);
     EXPECT_EQ(pigment(built).pattern.turbulence.x, 0.5);
-    EXPECT_EQ(built.warnings.size(), 1U) << "pavement";
+    EXPECT_EQ(built.warnings.size(), 1U) << "tiling";
 }
 
 // A missing picture must not end the program: the scene is drawn with a stand-in that nobody overlooks.

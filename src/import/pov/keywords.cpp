@@ -292,6 +292,8 @@ constexpr std::array<Word, kKeywordCount> kWords{{{Keyword::aa_level, "aa_level"
                                                   {Keyword::normal_map, "normal_map"},
                                                   {Keyword::normal_vectors, "normal_vectors"},
                                                   {Keyword::now, "now"},
+                                                  {Keyword::number_of_sides, "number_of_sides"},
+                                                  {Keyword::number_of_tiles, "number_of_tiles"},
                                                   {Keyword::number_of_waves, "number_of_waves"},
                                                   {Keyword::object, "object"},
                                                   {Keyword::octaves, "octaves"},

@@ -293,6 +293,8 @@ enum class Keyword : std::uint16_t {
     normal_map,
     normal_vectors,
     now,
+    number_of_sides,
+    number_of_tiles,
     number_of_waves,
     object,
     octaves,
@@ -514,7 +516,7 @@ enum class Keyword : std::uint16_t {
     z,
 };
 
-inline constexpr std::size_t kKeywordCount = 499;
+inline constexpr std::size_t kKeywordCount = 501;
 
 /// How POV-Ray writes the word.
 std::string_view spelling(Keyword keyword);

@@ -6,6 +6,7 @@
 #include "kernel/patterns/fields.h"
 #include "kernel/patterns/host.h"
 #include "kernel/patterns/texture.h"
+#include "kernel/patterns/tiling.h"
 
 KERNEL_BEGIN
 
@@ -22,11 +23,6 @@ FN PigmentColor no_color() {
     c.filtered = real(0.0f);
     c.transmitted = real(0.0f);
     return c;
-}
-
-FN float code_float(SCENE uint at) { return uniform_float(AT(code, at)); }
-FN vec3 code_vec3(SCENE uint at) {
-    return vec3(code_float(SCENE_ at), code_float(SCENE_ at + 1u), code_float(SCENE_ at + 2u));
 }
 
 /// sum + a colour of the program's words, weighted.
@@ -230,6 +226,9 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             real raised = power(values[target], real(code_float(SCENE_ pc)));
             values[target] = select(raised > real(1.0f), fraction(raised), raised);
             pc = pc + 1u;
+        } else if (op == OP_TILING) {
+            values[target] = tiling_value(SCENE_ pc + 1u, points[source]);
+            pc = pc + 1u + AT(code, pc);
 #ifdef __cplusplus
         } else if (op == OP_HOST_FIELD) {
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
