@@ -13,8 +13,7 @@ namespace {
 bool follows_space(const scene::LayeredTexture& texture) {
     return std::any_of(texture.layers.begin(), texture.layers.end(), [](const scene::TextureLayer& layer) {
         const bool has_pattern = layer.pigment->kind != scene::Pigment::Kind::solid || layer.share;
-        return (has_pattern && !layer.pigment->uv_mapping) ||
-               (layer.normal && !layer.normal->uv_mapping);
+        return (has_pattern && !layer.pigment->uv_mapping) || (layer.normal && !layer.normal->uv_mapping);
     });
 }
 
