@@ -21,7 +21,7 @@ box {
 }
 box {
     <0, 0, 0>, <1, 1, 0.2>
-    pigment { image_map { png "palette.png" transmit 1, 0.7 transmit 3, 1 } scale 0.97 translate 0.01 }
+    pigment { image_map { png "palette.png" transmit 1, 0.7 transmit 3, 1 filter 2, 0.8 } scale 0.97 translate 0.01 }
     scale 2
     translate <0.1, -0.9, 0>
 }
