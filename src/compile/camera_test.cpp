@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include "compile/compile.h"
+#include "fields/function_builder.h"
 
 namespace sundog {
 namespace {
@@ -94,6 +97,38 @@ TEST(MeshCamera, PixelsHaveTheirTriangles) {
     EXPECT_NEAR(11.1, x_of(1, 3), 1e-5);
     EXPECT_FALSE(rays->ray(frame, {2, 3}));
     EXPECT_NEAR(-1, rays->ray(frame, {0, 0})->direction.z, 1e-6);
+}
+
+// Catches functions asked at other places of the picture than -1/2 .. 1/2, upside down, or before the camera's own
+// transformation, and directions of any length.
+TEST(FunctionCamera, RaysAreThoseOfItsFunctions) {
+    fields::FunctionBuilder places(3), directions(3);
+    const std::array<fields::Number, 3> place{places.input(0) * places.constant(8),
+                                              places.input(1) * places.constant(4), places.constant(-5)};
+    const std::array<fields::Number, 3> direction{directions.input(0), directions.constant(0), directions.constant(2)};
+    auto function = std::make_shared<scene::FunctionCamera>();
+    function->location = std::make_shared<const scene::Function>(places.finish(place));
+    function->direction = std::make_shared<const scene::Function>(directions.finish(direction));
+    function->world_from_camera.t = {100, 0, 0};
+    scene::ProjectionCamera camera;
+    camera.function = function;
+    const auto rays = make_function_camera(camera, {});
+    const auto ray = rays->ray(frame_of({}, 8, 4), {6, 0});
+    ASSERT_TRUE(ray);
+    // The middle of that pixel: 6.5 of 8 along x, 0.5 of 4 down from the top.
+    EXPECT_NEAR(ray->origin.x, 100 + 8 * 0.3125, 1e-5);
+    EXPECT_NEAR(ray->origin.y, 4 * 0.375, 1e-6);
+    EXPECT_NEAR(ray->origin.z, -5, 1e-6);
+    EXPECT_NEAR(ray->direction.x / ray->direction.z, 0.3125 / 2, 1e-6);
+    EXPECT_NEAR(ray->direction.x * ray->direction.x + ray->direction.z * ray->direction.z, 1, 1e-6);
+    // Without functions: the camera's own vectors.
+    auto plain = std::make_shared<scene::FunctionCamera>();
+    camera.function = plain;
+    camera.location = {1, 2, 3}, camera.direction = {0, 0, 4};
+    const auto parallel = make_function_camera(camera, {})->ray(frame_of({}, 8, 4), {0, 3});
+    ASSERT_TRUE(parallel);
+    EXPECT_NEAR(parallel->origin.y, 2, 1e-6);
+    EXPECT_NEAR(parallel->direction.z, 1, 1e-6);
 }
 
 }  // namespace

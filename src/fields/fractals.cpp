@@ -80,6 +80,8 @@ double fractal_value(const scene::FractalForm& form, double x, double y) {
             return orbit_value(form.exterior_type, form.exterior_factor, z, least_norm);
         }
     }
+    // The reference says the absolute value; its square is what povray's pictures show, within alone.
+    if (form.interior_type == 6) return norm(z) * form.interior_factor;
     return orbit_value(form.interior_type, form.interior_factor, z, least_norm);
 }
 

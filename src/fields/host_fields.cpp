@@ -140,15 +140,15 @@ private:
 class MaterialField {
 public:
     MaterialField(const scene::Pattern& pattern, std::span<const scene::Texture> textures)
-        : count_(std::max(pattern.choices, 1)),
+        : last_(std::max(pattern.choices, 1) - 1),
           picture_(std::make_shared<const PigmentEvaluator>(std::array{pattern.pigment}, textures)) {}
     double operator()(const FieldPoint& point) const {
         const Vec3d p = point.position;
-        return std::fmod(std::round(picture_->color(0, p.x, p.y, p.z)[0] * 255), count_);
+        return std::min(std::round(picture_->color(0, p.x, p.y, p.z)[0] * 255), last_);
     }
 
 private:
-    double count_;
+    double last_;  ///< Of the textures: numbers beyond it get it, too.
     std::shared_ptr<const PigmentEvaluator> picture_;
 };
 

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <memory>
+#include <numbers>
+#include <set>
 #include <vector>
 
 #include "fields/fractals.h"
@@ -37,6 +40,10 @@ TEST(HostFields, FractalsAreThoseOfPovray) {
     EXPECT_NEAR(fractal_value(mandel, 1.2, 0.3), 0, 1e-5);
     mandel.interior_type = 3;
     EXPECT_NEAR(fractal_value(mandel, -0.5, 0.6), 0.58335, 1e-5);
+    mandel.interior_type = 2;
+    const double x = fractal_value(mandel, -0.5, 0.6);
+    mandel.interior_type = 6;
+    EXPECT_NEAR(fractal_value(mandel, -0.5, 0.6), x * x + 0.58335 * 0.58335, 1e-5);
     mandel.exterior_type = 6, mandel.exterior_factor = 0.1;
     EXPECT_NEAR(fractal_value(mandel, 0.3, 0.6), 0.34976, 1e-5);
     mandel.exponent = 5, mandel.exterior_type = 1;
@@ -147,6 +154,64 @@ TEST(HostFields, QuiltedCellsAreThoseOfPovray) {
     quilted.control0 = 0.3, quilted.control1 = 0.8;
     EXPECT_NEAR(value(quilted, {0.5, 0.4, 0.3}), 0.026056505, 1e-6);
     EXPECT_NEAR(value(quilted, {-0.2, 1.1, 0.3}), 0.201118795, 1e-6);
+}
+
+// Catches facets that aren't flat, aren't unit normals, or don't follow their size.
+TEST(HostFields, FacetsAreFlat) {
+    scene::Pattern pattern;
+    pattern.kind = scene::Pattern::Kind::facets;
+    const auto facets_of = [&](double size) {
+        pattern.facet_size = size;
+        const auto facets = make_host_normal(pattern);
+        std::set<std::array<long, 3>> normals;
+        for (int k = 0; k < 2000; ++k) {
+            const double z = 1 - (k + 0.5) / 1000, around = 2.39996323 * k, r = std::sqrt(1 - z * z);
+            FieldPoint point;
+            point.normal = {r * std::cos(around), r * std::sin(around), z};
+            const Vec3d bent = point.normal + facets->at(point);
+            EXPECT_NEAR(length(bent), 1, 1e-9);
+            EXPECT_GT(dot(bent, point.normal), 0);
+            normals.insert({std::lround(bent.x * 1e6), std::lround(bent.y * 1e6), std::lround(bent.z * 1e6)});
+        }
+        return normals.size();
+    };
+    const std::size_t large = facets_of(0.5), small = facets_of(0.25);
+    EXPECT_GT(large, 10U);
+    EXPECT_GT(small, 2 * large);
+    EXPECT_LT(small, 500U);
+    pattern.facet_size = 0, pattern.facet_coords = 0.5;
+    const auto facets = make_host_normal(pattern);
+    FieldPoint point;
+    point.position = {0.123, 0.456, 0.789};
+    const Vec3d offset = facets->at(point);
+    EXPECT_GT(length(offset), 0);
+    EXPECT_LT(length(offset), 0.42 * 0.5 * std::numbers::sqrt3);
+    point.position.x += 1e-4;
+    EXPECT_EQ(length(facets->at(point) - offset), 0);
+    point.position.x += 0.5;
+    EXPECT_GT(length(facets->at(point) - offset), 0);
+}
+
+// Catches numbers beyond the last texture that leave a hole or begin again.
+TEST(HostFields, MaterialsBeyondTheLastAreTheLast) {
+    scene::Texture texture;
+    texture.width = 4, texture.height = 1;
+    texture.srgb = false;
+    for (std::uint32_t number = 0; number < 4; ++number) texture.rgba8.push_back(number | 0xff000000U);
+    auto picture = std::make_shared<scene::Pigment>();
+    picture->kind = scene::Pigment::Kind::image;
+    scene::Pattern pattern;
+    pattern.kind = scene::Pattern::Kind::material;
+    pattern.pigment = picture;
+    pattern.choices = 3;
+    const std::array textures{texture};
+    const auto materials = make_host_field(pattern, textures);
+    constexpr std::array<double, 4> kWanted{0, 1, 2, 2};
+    for (std::size_t i = 0; i < 4; ++i) {
+        FieldPoint point;
+        point.position = {(static_cast<double>(i) + 0.5) / 4, 0.5, 0};
+        EXPECT_EQ(materials->at(point).x, kWanted[i]) << i;
+    }
 }
 
 }  // namespace

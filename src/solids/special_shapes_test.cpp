@@ -163,6 +163,70 @@ TEST(JuliaFractal, SlopesAreThoseOfTheFunctions) {
     }
 }
 
+// Catches functions under each other's names, and branches other than the principal ones.
+TEST(JuliaFractal, FunctionsAreThoseOfTheirNames) {
+    using Function = scene::JuliaFractal::Function;
+    using Complex = std::complex<double>;
+    const Complex i(0, 1), exponent(1.5, 0.2);
+    for (const Complex h : {Complex{0.3, 0.4}, {-0.7, 0.2}, {0.5, -1.1}}) {
+        const auto f = [&](Function function, Complex at) { return julia_function(function, at, exponent).value; };
+        const Complex e = f(Function::exp, h), ei = f(Function::exp, i * h);
+        EXPECT_NEAR(std::abs(e), std::exp(h.real()), 1e-12);
+        EXPECT_NEAR(std::arg(e), h.imag(), 1e-12);
+        const auto same = [](Complex a, Complex b) { EXPECT_NEAR(std::abs(a - b), 0, 1e-12); };
+        same(f(Function::sinh, h), (e - 1.0 / e) / 2.0);
+        same(f(Function::cosh, h), (e + 1.0 / e) / 2.0);
+        same(f(Function::tanh, h), (e - 1.0 / e) / (e + 1.0 / e));
+        same(f(Function::sin, h), (ei - 1.0 / ei) / (2.0 * i));
+        same(f(Function::cos, h), (ei + 1.0 / ei) / 2.0);
+        same(f(Function::tan, h), (ei - 1.0 / ei) / (i * (ei + 1.0 / ei)));
+        same(f(Function::reciprocal, h) * h, 1);
+        same(f(Function::sqr, h), h * h);
+        same(f(Function::cube, h), h * h * h);
+        same(f(Function::pwr, h), f(Function::exp, exponent * f(Function::ln, h)));
+        same(f(Function::exp, f(Function::ln, h)), h);
+        same(f(Function::sin, f(Function::asin, h)), h);
+        same(f(Function::cos, f(Function::acos, h)), h);
+        same(f(Function::tan, f(Function::atan, h)), h);
+        same(f(Function::sinh, f(Function::asinh, h)), h);
+        same(f(Function::cosh, f(Function::acosh, h)), h);
+        same(f(Function::tanh, f(Function::atanh, h)), h);
+        EXPECT_LE(std::abs(f(Function::asin, h).real()), std::numbers::pi / 2);
+        EXPECT_GE(f(Function::acosh, h).real(), 0);
+    }
+}
+
+// Catches insides of another number of iterations, products of the other algebra, and parameters left out: a point is
+// inside while its numbers, as two complex ones, stay within the ball of radius 4.
+TEST(JuliaFractal, MembersDoNotEscape) {
+    using Function = scene::JuliaFractal::Function;
+    for (int number = static_cast<int>(Function::exp); number <= static_cast<int>(Function::pwr); ++number) {
+        scene::JuliaFractal fractal;
+        fractal.function = static_cast<Function>(number);
+        fractal.hypercomplex = true;
+        fractal.parameter = {0.3, -0.5, 0.4, 0.2};
+        fractal.exponent = {1.7, 0.3};
+        fractal.max_iteration = 4;
+        const auto solid = compile_solid(solid_of(fractal), 0);
+        RandomRays random(11);
+        int members = 0;
+        for (int k = 0; k < 400; ++k) {
+            const Vec3d p{random.number(-2, 2), random.number(-2, 2), random.number(-2, 2)};
+            std::complex<double> u(p.x, p.y - p.z), v(p.x, p.y + p.z);
+            bool stays = true;
+            for (int n = 0; n + 1 < fractal.max_iteration && stays; ++n) {
+                const std::complex<double> exponent(1.7, 0.3);
+                u = julia_function(fractal.function, u, exponent).value + std::complex<double>(0.3 + 0.2, -0.5 - 0.4);
+                v = julia_function(fractal.function, v, exponent).value + std::complex<double>(0.3 - 0.2, -0.5 + 0.4);
+                stays = (std::norm(u) + std::norm(v)) / 2 <= 16;
+            }
+            members += stays ? 1 : 0;
+            EXPECT_EQ(solid->inside(p), stays) << number << " at " << p.x << ' ' << p.y << ' ' << p.z;
+        }
+        EXPECT_GT(members, 20) << number;
+    }
+}
+
 scene::Parametric ball() {
     fields::FunctionBuilder builder(3);
     const fields::Number u = builder.input(0);

@@ -70,7 +70,7 @@ void clear_palette_entry(BuildContext& context, scene::ImageMap& image, int entr
 }
 
 /// filter and transmit: `all Amount`, `Index, Amount` for one entry of a palette, or (3.7) one amount for all.
-void read_transparency(ItemReader& items, scene::ImageMap& image, bool transmits) {
+void read_transparency(ItemReader& items, scene::ImageMap& image, bool transmits, PaletteFilters* filters) {
     float& all = transmits ? image.transmit_all : image.filter_all;
     if (items.take(Keyword::all)) {
         all = static_cast<float>(items.number("an amount"));
@@ -82,6 +82,8 @@ void read_transparency(ItemReader& items, scene::ImageMap& image, bool transmits
         all = static_cast<float>(first);
     } else if (transmits) {
         clear_palette_entry(items.context(), image, static_cast<int>(std::clamp(first, 0.0, 65535.0)), *amount);
+    } else if (filters != nullptr && first >= 0 && first <= 255) {
+        (*filters)[static_cast<std::uint8_t>(first)] = static_cast<float>(*amount);
     } else {
         items.context().warn_once("palette transparency", items.taken_where(),
                                   "a filter of single palette entries isn't drawn yet", "those colors stay opaque");
@@ -198,7 +200,18 @@ ImageName read_image_name(ItemReader& items) {
     return image;
 }
 
-bool read_image_modifier(ItemReader& items, scene::ImageMap& image) {
+scene::Index numbered_texture(BuildContext& context, scene::Index index) {
+    const std::vector<std::uint8_t> numbers = palette_numbers(context.scene.textures[index]);
+    if (numbers.empty()) return index;
+    scene::Texture texture = context.scene.textures[index];
+    texture.name += " (numbers)";
+    texture.srgb = false;
+    for (std::size_t i = 0; i < numbers.size(); ++i) texture.rgba8[i] = numbers[i] | 0xff000000U;
+    context.scene.textures.push_back(std::move(texture));
+    return static_cast<scene::Index>(context.scene.textures.size() - 1);
+}
+
+bool read_image_modifier(ItemReader& items, scene::ImageMap& image, PaletteFilters* filters) {
     const std::optional<Keyword> keyword = items.peek_keyword();
     if (!keyword) return false;
     switch (*keyword) {
@@ -216,11 +229,11 @@ bool read_image_modifier(ItemReader& items, scene::ImageMap& image) {
             return true;
         case Keyword::filter:
             items.skip();
-            read_transparency(items, image, false);
+            read_transparency(items, image, false, filters);
             return true;
         case Keyword::transmit:
             items.skip();
-            read_transparency(items, image, true);
+            read_transparency(items, image, true, filters);
             return true;
         case Keyword::use_index:
         case Keyword::use_color:
@@ -232,11 +245,11 @@ bool read_image_modifier(ItemReader& items, scene::ImageMap& image) {
     }
 }
 
-scene::ImageMap read_image_map(BuildContext& context, const Block& block, ImageUse use) {
+scene::ImageMap read_image_map(BuildContext& context, const Block& block, ImageUse use, PaletteFilters* filters) {
     ItemReader items(context, block);
     scene::ImageMap image;
     if (const auto base = items.take_block(block.keyword)) {
-        image = read_image_map(context, *base, use);
+        image = read_image_map(context, *base, use, filters);
     } else if (items.take(Keyword::function)) {
         image.texture = texture_of_function(context, items);
     } else {
@@ -246,7 +259,7 @@ scene::ImageMap read_image_map(BuildContext& context, const Block& block, ImageU
     while (!items.at_end()) {
         static constexpr std::array kValid{Keyword::once,     Keyword::map_type,  Keyword::interpolate, Keyword::filter,
                                            Keyword::transmit, Keyword::use_index, Keyword::use_color,   Keyword::gamma};
-        if (!read_image_modifier(items, image)) items.unexpected(kValid);
+        if (!read_image_modifier(items, image, filters)) items.unexpected(kValid);
     }
     return image;
 }

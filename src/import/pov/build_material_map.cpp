@@ -7,22 +7,6 @@
 #include "import/pov/build_image.h"
 
 namespace sundog::pov {
-namespace {
-
-/// The picture's texture with palette numbers for red, where it has a palette.
-scene::Index numbered(BuildContext& context, scene::Index index) {
-    const std::vector<std::uint8_t> numbers = palette_numbers(context.scene.textures[index]);
-    if (numbers.empty()) return index;
-    scene::Texture texture = context.scene.textures[index];
-    texture.name += " (numbers)";
-    texture.srgb = false;
-    for (std::size_t i = 0; i < numbers.size(); ++i) texture.rgba8[i] = numbers[i] | 0xff000000U;
-    context.scene.textures.push_back(std::move(texture));
-    return static_cast<scene::Index>(context.scene.textures.size() - 1);
-}
-
-}  // namespace
-
 MaterialMap read_material_map(BuildContext& context, const Block& block) {
     MaterialMap result;
     Block image = block;
@@ -41,7 +25,7 @@ MaterialMap read_material_map(BuildContext& context, const Block& block) {
     pigment->where = context.location(block.where);
     pigment->kind = scene::Pigment::Kind::image;
     pigment->image = read_image_map(context, image, ImageUse::data);
-    pigment->image.texture = numbered(context, pigment->image.texture);
+    pigment->image.texture = numbered_texture(context, pigment->image.texture);
     result.pattern.kind = scene::Pattern::Kind::material;
     result.pattern.choices = static_cast<int>(result.textures.size());
     result.pattern.pigment = std::move(pigment);

@@ -8,11 +8,12 @@
 namespace sundog::pov {
 namespace {
 
-/// True if moving the texture changes how it looks: some layer's pigment or normal follows space, not uv coordinates.
+/// True if moving the texture changes how it looks: some layer's pigment, share or normal follows space, not uv
+/// coordinates.
 bool follows_space(const scene::LayeredTexture& texture) {
     return std::any_of(texture.layers.begin(), texture.layers.end(), [](const scene::TextureLayer& layer) {
-        return (layer.pigment->kind != scene::Pigment::Kind::solid && !layer.pigment->uv_mapping) ||
-               (layer.normal && !layer.normal->uv_mapping);
+        const bool has_pattern = layer.pigment->kind != scene::Pigment::Kind::solid || layer.share;
+        return (has_pattern && !layer.pigment->uv_mapping) || (layer.normal && !layer.normal->uv_mapping);
     });
 }
 

@@ -141,7 +141,8 @@ private:
             pigment_ = read_pigment(context_, *base, std::move(pigment_));
             parts_.pattern = pigment_.pattern;
         } else if (const auto image = items_.take_block(Keyword::image_map)) {
-            pigment_.image = read_image_map(context_, *image);
+            filters_.clear();
+            pigment_.image = read_image_map(context_, *image, ImageUse::color, &filters_);
             pigment_.kind = Pigment::Kind::image;
         } else if (!read_map_block() && !read_keyword()) {
             unexpected();
@@ -169,7 +170,8 @@ private:
             return true;
         }
         if (items_.take(Keyword::color)) return true;
-        if (pigment_.kind == Pigment::Kind::image && read_image_modifier(items_, pigment_.image)) return true;
+        if (pigment_.kind == Pigment::Kind::image && read_image_modifier(items_, pigment_.image, &filters_))
+            return true;
         const bool pattern_before = parts_.given;
         parts_.given = false;
         const bool taken = read_pattern_item(items_, parts_);
@@ -206,9 +208,38 @@ private:
             context_.fail(block_.where, "a map without a pattern", "expected a pattern such as gradient or bozo");
         if (pigment_.kind == Pigment::Kind::mapped && pigment_.entries.empty())
             pigment_.entries = default_map(pigment_.pattern);
+        if (pigment_.kind == Pigment::Kind::image && !filters_.empty()) choose_by_palette();
         place(
             parts_, [this](const Affine3d& old_from_new) { move_pigment(pigment_, old_from_new); },
             [this](const scene::Warp& warp) { bend_pigment(pigment_, warp); });
+    }
+
+    /// Where entries of the palette have filters of their own, the number of the palette chooses among images.
+    void choose_by_palette() {
+        const scene::Index numbers = numbered_texture(context_, pigment_.image.texture);
+        if (numbers == pigment_.image.texture) {
+            context_.warn_once("filter without palette", block_.where, "the filter of a palette's entry has no effect",
+                               "only PNG files with a palette are read as such");
+            return;
+        }
+        auto number = std::make_shared<Pigment>();
+        number->where = pigment_.where;
+        number->kind = Pigment::Kind::image;
+        number->image = {numbers, pigment_.image.map_type, pigment_.image.once, false, 0, 0};
+        constexpr int kMostColors = 256;
+        const int count = std::min(filters_.rbegin()->first + 2, kMostColors);  // One for all that follow.
+        std::vector<scene::PigmentEntry> entries;
+        for (int i = 0; i < count; ++i) {
+            auto entry = std::make_shared<Pigment>(pigment_);
+            const auto filter = filters_.find(static_cast<std::uint8_t>(i));
+            if (filter != filters_.end()) entry->image.filter_all = filter->second;
+            entries.push_back({0, {}, std::move(entry)});
+        }
+        pigment_.kind = Pigment::Kind::choice;
+        pigment_.entries = std::move(entries);
+        pigment_.pattern.kind = scene::Pattern::Kind::material;
+        pigment_.pattern.choices = count;
+        pigment_.pattern.pigment = std::move(number);
     }
 
     [[noreturn]] void unexpected() {
@@ -226,6 +257,7 @@ private:
     Pigment pigment_;
     PatternParts parts_{pigment_.pattern, false, nullptr, {}, {}};
     bool map_given_ = false;
+    PaletteFilters filters_;
 };
 
 /// Changes a pigment's own pigments, those that lie anywhere in particular.

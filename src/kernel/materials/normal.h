@@ -28,15 +28,18 @@ FN real3 pattern_slope(SCENE uint program, PatternPoint at, float step) {
     return sum * real(0.1f / step);
 }
 
-/// An image's differences to the next texel, rightwards and upwards.
+/// An image's slope, rightwards and upwards, a texel: that of the plane through the texel itself and those to the left
+/// and right below it, as povray's pictures show it.
 FN real3 image_slope(SCENE uint program, PatternPoint at, float texel_u, float texel_v) {
     real3 p = at.position;
     real heights[3];
     for (uint i = 0u; i < 3u; i = i + 1u) {
-        at.position = p + real3(vec3(i == 1u ? texel_u : 0.0f, i == 2u ? texel_v : 0.0f, 0.0f));
+        float beside = i == 0u ? 0.0f : i == 1u ? -texel_u : texel_u;
+        at.position = p + real3(vec3(beside, i == 0u ? 0.0f : -texel_v, 0.0f));
         heights[i] = pattern_height(SCENE_ program, at);
     }
-    return real3(heights[1] - heights[0], heights[2] - heights[0], real(0.0f));
+    real rise = heights[0] - (heights[1] + heights[2]) * 0.5f;
+    return real3((heights[2] - heights[1]) * 0.5f, rise, real(0.0f));
 }
 
 /// Ripples (all of one wavelength, 1) or waves (each of another, the longer the steeper) from ten places near the
