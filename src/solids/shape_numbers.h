@@ -27,6 +27,10 @@ namespace sundog::solids {
 ///   lathe       how many pieces its curve has; an open curve's two ends, radius and height (radius 0: it is closed);
 ///   of
 ///               each piece, Bernstein's four coefficients of the radius and of the height
+///   blob        threshold, how many components; of each, component_from_blob (columns x, y, z, t; to the unit ball, or
+///   to
+///               the unit cylinder about z), the axis' length there (0: a ball), strength, material (the bits of a
+///               word)
 struct ShapeNumbers {
     enum class Kind : std::uint8_t {
         none,
@@ -41,7 +45,8 @@ struct ShapeNumbers {
         polygon,
         prism,
         revolution,
-        lathe
+        lathe,
+        blob
     };
     Kind kind = Kind::none;
     std::vector<double> values;

@@ -31,6 +31,7 @@ static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::polygon) == kernel:
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::prism) == kernel::SHAPE_PRISM);
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::revolution) == kernel::SHAPE_REVOLUTION);
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::lathe) == kernel::SHAPE_LATHE);
+static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::blob) == kernel::SHAPE_BLOB);
 static_assert(scene::Solid::kInherited == kernel::NONE);
 
 std::uint64_t slot(std::uint32_t low, std::uint32_t high) { return low | (std::uint64_t{high} << 32U); }

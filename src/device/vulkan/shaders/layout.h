@@ -100,6 +100,7 @@ LAYOUT_CONST uint SHAPE_POLYGON = 9u;
 LAYOUT_CONST uint SHAPE_PRISM = 10u;
 LAYOUT_CONST uint SHAPE_REVOLUTION = 11u;
 LAYOUT_CONST uint SHAPE_LATHE = 12u;
+LAYOUT_CONST uint SHAPE_BLOB = 13u;
 
 #ifdef __cplusplus
 }  // namespace sundog::kernel

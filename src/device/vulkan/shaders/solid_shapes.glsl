@@ -288,6 +288,7 @@ void torus_crossings(uint numbers, SolidRay ray, inout SolidSearch search) {
     }
 }
 
+#include "device/vulkan/shaders/solid_blobs.glsl"
 #include "device/vulkan/shaders/solid_curves.glsl"
 #include "device/vulkan/shaders/solid_polynomials.glsl"
 
@@ -305,6 +306,7 @@ void shape_crossings(uint kind, uint numbers, SolidRay ray, inout SolidSearch se
     if (is_kind(kind, SHAPE_PRISM)) prism_crossings(numbers, ray, search);
     if (is_kind(kind, SHAPE_REVOLUTION)) revolution_crossings(numbers, ray, search);
     if (is_kind(kind, SHAPE_LATHE)) lathe_crossings(numbers, ray, search);
+    if (is_kind(kind, SHAPE_BLOB)) blob_crossings(numbers, ray, search);
 }
 
 /// Whether a point is inside; never for mere surfaces.
@@ -338,6 +340,7 @@ bool inside_shape(uint kind, uint numbers, dvec3 p) {
     if (is_kind(kind, SHAPE_PRISM)) return prism_inside(numbers, p);
     if (is_kind(kind, SHAPE_REVOLUTION)) return revolution_inside(numbers, p);
     if (is_kind(kind, SHAPE_LATHE)) return lathe_inside(numbers, p);
+    if (is_kind(kind, SHAPE_BLOB)) return blob_inside(numbers, p);
     return false;
 }
 
@@ -374,7 +377,13 @@ dvec3 shape_normal(uint kind, uint numbers, dvec3 p, SolidCrossing crossing) {
     if (is_kind(kind, SHAPE_PRISM)) return prism_normal(numbers, crossing);
     if (is_kind(kind, SHAPE_REVOLUTION)) return revolution_normal(numbers, p, crossing);
     if (is_kind(kind, SHAPE_LATHE)) return lathe_normal(numbers, p, crossing);
+    if (is_kind(kind, SHAPE_BLOB)) return blob_normal(numbers, p);
     return dvec3(0.0lf, 1.0lf, 0.0lf);
+}
+
+/// The material of a part with one of its own; NONE: the leaf's.
+uint shape_material(uint kind, uint numbers, dvec3 p) {
+    return is_kind(kind, SHAPE_BLOB) ? blob_material(numbers, p) : NONE;
 }
 
 float turn_around_y(vec3 n) {

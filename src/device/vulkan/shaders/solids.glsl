@@ -7,9 +7,10 @@ layout(scalar, set = 0, binding = BINDING_SOLIDS) readonly restrict buffer solid
 /// How deep groups lie in each other at most; 0: all solids are single shapes.
 layout(constant_id = 5) const uint solid_depth = 0u;
 
+uvec2 solid_words(uint place) { return unpackDouble2x32(solid_slots[place]); }
+
 #include "device/vulkan/shaders/solid_shapes.glsl"
 
-uvec2 solid_words(uint place) { return unpackDouble2x32(solid_slots[place]); }
 vec2 solid_floats(uint place) { return uintBitsToFloat(solid_words(place)); }
 
 const uint BEFORE = 1u;
@@ -238,6 +239,8 @@ bool intersect_solid(uint root, Ray world_ray, out SolidHit hit) {
         // The passage from outside to inside tells better than rounding which way the normal must point.
         if (toggles && (dot(n, ray.direction) < 0.0lf) != faces_ray) n = -n;
         uvec2 materials = solid_words(leaf);
+        uint own = shape_material(kind, numbers, p);
+        if (own != NONE) materials.x = own;
         hit.t = float(crossing.t);
         hit.normal = vec3(n);
         hit.material = !faces_ray && materials.y != NONE ? materials.y : materials.x;
