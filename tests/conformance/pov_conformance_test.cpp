@@ -79,7 +79,8 @@ std::vector<std::string> scene_names() {
 /// leave the list.
 const std::map<std::string, const char*>& known_differences() {
     static const std::map<std::string, const char*> differences{
-        {"normal_bump_map", "bumps of images on surfaces that don't face the picture: they turn with the surface"},
+        {"normal_bump_map",
+         "bumps of images should turn with the surface: rightwards is N x y (x where that is 0), upwards N x y x N"},
     };
     return differences;
 }
