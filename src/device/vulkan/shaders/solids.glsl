@@ -239,8 +239,6 @@ bool intersect_solid(uint root, Ray world_ray, out SolidHit hit) {
         // The passage from outside to inside tells better than rounding which way the normal must point.
         if (toggles && (dot(n, ray.direction) < 0.0lf) != faces_ray) n = -n;
         uvec2 materials = solid_words(leaf);
-        uint own = shape_material(kind, numbers, p);
-        if (own != NONE) materials.x = own;
         hit.t = float(crossing.t);
         hit.normal = vec3(n);
         hit.material = !faces_ray && materials.y != NONE ? materials.y : materials.x;
