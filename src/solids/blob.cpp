@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "solids/bounds_tree.h"
@@ -119,13 +118,13 @@ public:
         return found;
     }
     [[nodiscard]] ShapeNumbers numbers() const override {
+        if (!materials().empty()) return {};
         ShapeNumbers out{ShapeNumbers::Kind::blob, {}};
         out.add(threshold_).add(static_cast<double>(components_.size()));
         for (const Component& c : components_) {
             const Affine3d& m = c.component_from_blob;
             out.add(m.x).add(m.y).add(m.z).add(m.t);
             out.add(c.kind == Component::Kind::axis ? c.length : 0).add(c.strength);
-            out.add(std::bit_cast<double>(std::uint64_t{c.material}));
         }
         return out;
     }

@@ -18,19 +18,17 @@ namespace sundog::solids {
 ///   disc        center, normal (unit), radius, the hole's radius
 ///   torus       major and minor radius
 ///   polynomial  order (3 to 6), how many terms; of each, exponents of x, y and z, and its coefficient
-///   polygon     normal, a point of its plane, the numbers of two axes, how many edges; of each, both ends along those
-///   prism       (no conic ones) lower and upper end, 1 if they are open, how many pieces its outlines have; of each,
-///               Bernstein's four coefficients of x and of z
-///   revolution  1 if its ends are open, lower and upper end, largest radius, how many pieces; of each, its ends and
-///   four
-///               coefficients of the square of the radius by the height above its lower end
-///   lathe       how many pieces its curve has; an open curve's two ends, radius and height (radius 0: it is closed);
-///   of
-///               each piece, Bernstein's four coefficients of the radius and of the height
-///   blob        threshold, how many components; of each, component_from_blob (columns x, y, z, t; to the unit ball, or
-///   to
-///               the unit cylinder about z), the axis' length there (0: a ball), strength, material (the bits of a
-///               word)
+///   polygon     normal, a point of its plane, the numbers of two axes, how many edges; of each, both ends
+///               along those axes
+///   prism       (no conic ones) lower and upper end, 1 if they are open, how many pieces its outlines have;
+///               of each, Bernstein's four coefficients of x and of z
+///   revolution  1 if its ends are open, lower and upper end, largest radius, how many pieces; of each, its
+///               ends and four coefficients of the square of the radius by the height above its lower end
+///   lathe       how many pieces its curve has; an open curve's two ends, radius and height (radius 0: it is
+///               closed); of each piece, Bernstein's four coefficients of the radius and of the height
+///   blob        (without materials of components) threshold, how many components; of each,
+///               component_from_blob (columns x, y, z, t; to the unit ball, or to the unit cylinder about z),
+///               the axis' length there (0: a ball), strength
 struct ShapeNumbers {
     enum class Kind : std::uint8_t {
         none,
@@ -46,7 +44,7 @@ struct ShapeNumbers {
         prism,
         revolution,
         lathe,
-        blob
+        blob,
     };
     Kind kind = Kind::none;
     std::vector<double> values;

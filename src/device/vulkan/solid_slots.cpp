@@ -16,8 +16,8 @@ namespace {
 using solids::CompiledSolid;
 using solids::ShapeNumbers;
 
-/// Groups in each other: what is beyond would need a larger stack in every ray's search.
-constexpr std::uint32_t kMaxDepth = 32;
+/// Groups in each other: a word holds two bits for each.
+constexpr std::uint32_t kMaxDepth = 16;
 
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::sphere) == kernel::SHAPE_SPHERE);
 static_assert(static_cast<std::uint32_t>(ShapeNumbers::Kind::box) == kernel::SHAPE_BOX);

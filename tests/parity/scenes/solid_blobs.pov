@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blobs of balls and cylinders, alone and in groups, with components that have textures of their own, and (u, v).
+// Blobs of balls and cylinders, alone and in groups, with negative components, and texture coordinates.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 4, -9> look_at <0, 0.5, 0> angle 45 }
@@ -7,10 +7,11 @@ light_source { <5, 10, -10> 1 }
 plane { y, -1 pigment { checker rgb 0.8, rgb 0.3 } }
 blob {
     threshold 0.6
-    sphere { <-2.6, 0, 0>, 1, 1 pigment { rgb <0.9, 0.3, 0.2> } }
-    sphere { <-1.8, 0.3, 0>, 1, 1 pigment { rgb <0.2, 0.3, 0.9> } }
-    cylinder { <-2.6, 0, -0.5>, <-1.6, -0.6, -1>, 0.5, 1 pigment { rgb <0.6, 0.9, 0.5> } }
-    sphere { <-2.2, 0.3, -0.8>, 0.5, -0.8 scale <1, 1.2, 1> pigment { rgb <0.9, 0.9, 0.3> } }
+    sphere { <-2.6, 0, 0>, 1, 1 }
+    sphere { <-1.8, 0.3, 0>, 1, 1 }
+    cylinder { <-2.6, 0, -0.5>, <-1.6, -0.6, -1>, 0.5, 1 }
+    sphere { <-2.2, 0.3, -0.8>, 0.5, -0.8 scale <1, 1.2, 1> }
+    pigment { rgb <0.6, 0.9, 0.5> }
 }
 difference {
     blob { threshold 0.5 sphere { 0, 1.2, 1 } cylinder { <0, 0, 0>, <1.2, 0.8, 0>, 0.7, 1 } }

@@ -3,9 +3,9 @@
 // to more than the threshold.
 
 // A blob's numbers: threshold, how many components; of each, component_from_blob (columns x, y, z, t; to the unit ball, or
-// the unit cylinder about z), the axis' length there (0: a ball), strength, material.
+// the unit cylinder about z), the axis' length there (0: a ball), strength.
 const uint BLOB_COMPONENTS = 2u;
-const uint BLOB_NUMBERS = 15u;
+const uint BLOB_NUMBERS = 14u;
 
 uint blob_component(uint numbers, uint i) { return numbers + BLOB_COMPONENTS + BLOB_NUMBERS * i; }
 
@@ -21,16 +21,15 @@ dvec3 off_axis(dvec3 q, double axis_length) {
     return dvec3(q.x, q.y, q.z < 0.0lf ? q.z : max(q.z - axis_length, 0.0lf));
 }
 
-double component_field(uint component, dvec3 p) {
-    dvec3 off = off_axis(point_to_component(component, p), solid_number(component + 12u));
-    double reach = 1.0lf - dot(off, off);
-    return reach > 0.0lf ? solid_number(component + 13u) * reach * reach : 0.0lf;
-}
-
 bool blob_inside(uint numbers, dvec3 p) {
     uint count = uint(solid_number(numbers + 1u));
     double sum = 0.0lf;
-    for (uint i = 0u; i < count; ++i) sum += component_field(blob_component(numbers, i), p);
+    for (uint i = 0u; i < count; ++i) {
+        uint component = blob_component(numbers, i);
+        dvec3 off = off_axis(point_to_component(component, p), solid_number(component + 12u));
+        double reach = 1.0lf - dot(off, off);
+        if (reach > 0.0lf) sum += solid_number(component + 13u) * reach * reach;
+    }
     return sum > solid_number(numbers);
 }
 
@@ -47,22 +46,6 @@ dvec3 blob_normal(uint numbers, dvec3 p) {
                      dot(solid_vector(component + 6u), off));
     }
     return sum;
-}
-
-/// The material of the component whose field is strongest there; NONE: the blob's own.
-uint blob_material(uint numbers, dvec3 p) {
-    uint count = uint(solid_number(numbers + 1u));
-    uint material = NONE;
-    double strongest = 0.0lf;
-    for (uint i = 0u; i < count; ++i) {
-        uint component = blob_component(numbers, i);
-        double field = component_field(component, p);
-        if (field > strongest) {
-            strongest = field;
-            material = solid_words(component + 14u).x;
-        }
-    }
-    return material;
 }
 
 /// Where a ray in a component's own space is within reach of one of its parts (0 and 2: the balls at the axis' ends, 1: its

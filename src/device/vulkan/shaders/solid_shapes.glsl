@@ -381,11 +381,6 @@ dvec3 shape_normal(uint kind, uint numbers, dvec3 p, SolidCrossing crossing) {
     return dvec3(0.0lf, 1.0lf, 0.0lf);
 }
 
-/// The material of a part with one of its own; NONE: the leaf's.
-uint shape_material(uint kind, uint numbers, dvec3 p) {
-    return is_kind(kind, SHAPE_BLOB) ? blob_material(numbers, p) : NONE;
-}
-
 float turn_around_y(vec3 n) {
     float u = atan(n.z, n.x) * 0.159154943f;
     return u < 0.0f ? u + 1.0f : u;

@@ -56,10 +56,9 @@ dvec3 vector_to_shape(uint leaf, dvec3 v) {
 }
 
 /// What of two points is inside of a node: BEFORE, AFTER, both or none.
-uint solid_state(uint node, SolidRay ray, dvec3 before, dvec3 after) {
-    uint groups[solid_depth + 1u];
-    uint states[solid_depth + 1u];
-    uint depth = 0u;
+uint solid_state(uint first, SolidRay ray, dvec3 before, dvec3 after) {
+    uint node = first;
+    uint states = 0u;  // of the groups that the node is in, two bits each, the innermost one's lowest
     while (true) {
         uvec2 head = solid_words(node);
         uint state = 0u;
@@ -86,9 +85,7 @@ uint solid_state(uint node, SolidRay ray, dvec3 before, dvec3 after) {
                     p += way;
                 }
             } else {
-                groups[depth] = node;
-                states[depth] = is_union(head.x) ? 0u : ALWAYS;
-                ++depth;
+                states = (states << 2u) | (is_union(head.x) ? 0u : ALWAYS);
                 node += SOLID_NODE_SLOTS;
                 continue;
             }
@@ -97,18 +94,18 @@ uint solid_state(uint node, SolidRay ray, dvec3 before, dvec3 after) {
         uint next = head.y;
         while (true) {
             if ((head.x & SOLID_INVERTED) != 0u) state = ALWAYS - state;
-            if (depth == 0u) return state;
-            uint group = groups[depth - 1u];
-            head = solid_words(group);
+            if (node == first) return state;
+            node = solid_words(node + 1u).x;
+            head = solid_words(node);
             bool joins = is_union(head.x);
-            state = joins ? states[depth - 1u] | state : states[depth - 1u] & state;
+            state = joins ? (states & ALWAYS) | state : states & state;
             if (state != (joins ? ALWAYS : 0u) && next != head.y) {
-                states[depth - 1u] = state;
+                states = (states & ~ALWAYS) | state;
                 node = next;
                 break;
             }
             next = head.y;
-            --depth;
+            states >>= 2u;
         }
     }
     return 0u;
@@ -239,8 +236,6 @@ bool intersect_solid(uint root, Ray world_ray, out SolidHit hit) {
         // The passage from outside to inside tells better than rounding which way the normal must point.
         if (toggles && (dot(n, ray.direction) < 0.0lf) != faces_ray) n = -n;
         uvec2 materials = solid_words(leaf);
-        uint own = shape_material(kind, numbers, p);
-        if (own != NONE) materials.x = own;
         hit.t = float(crossing.t);
         hit.normal = vec3(n);
         hit.material = !faces_ray && materials.y != NONE ? materials.y : materials.x;
