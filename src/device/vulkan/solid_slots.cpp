@@ -140,12 +140,36 @@ std::uint32_t depth_of(const CompiledSolid& solid, std::uint32_t index) {
     return deepest + 1;
 }
 
+/// Prisms (and letters) below a node.
+std::uint32_t prisms_of(const CompiledSolid& solid, std::uint32_t index) {
+    const CompiledSolid::Node& node = solid.nodes()[index];
+    if (node.combination == solids::Combination::leaf)
+        return solid.leaves()[node.first].shape->numbers().kind == ShapeNumbers::Kind::prism ? 1 : 0;
+    std::uint32_t count = 0;
+    for (std::uint32_t child = 0; child < node.count; ++child) count += prisms_of(solid, node.first + child);
+    return count;
+}
+
+/// Of more prisms than this that have something in common, shaders have been seen to lose strips of sides that coincide
+/// (bevelled letters).
+constexpr std::uint32_t kMostCommonPrisms = 2;
+
+bool has_many_common_prisms(const CompiledSolid& solid) {
+    for (std::uint32_t i = 0; i < solid.nodes().size(); ++i)
+        if (solid.nodes()[i].combination == solids::Combination::common && prisms_of(solid, i) > kMostCommonPrisms)
+            return true;
+    return false;
+}
+
 }  // namespace
 
 std::string not_drawn_of(const CompiledSolid& solid) {
     for (const CompiledSolid::Leaf& leaf : solid.leaves())
         if (leaf.shape->numbers().kind == ShapeNumbers::Kind::none)
             return std::string("is or has ") + leaf.kind + ", which only the CPU draws";
+    if (has_many_common_prisms(solid))
+        return "is or has an intersection of more than " + std::to_string(kMostCommonPrisms) +
+               " prisms or letters, which only the CPU draws";
     if (depth_of(solid, 0) > kMaxDepth)
         return "has groups nested more than " + std::to_string(kMaxDepth) + " deep, which only the CPU draws";
     return {};
