@@ -42,6 +42,14 @@ FN real3 image_slope(SCENE uint program, PatternPoint at, float texel_u, float t
     return real3((heights[2] - heights[1]) * 0.5f, rise, real(0.0f));
 }
 
+/// A slope rightwards and upwards on a surface of normal n (unit): the picture turns with the surface, as povray's
+/// pictures show it, and stands upright.
+FN real3 slope_on_surface(real3 slope, real3 n) {
+    mask level = n.x * n.x + n.z * n.z < real(1e-12f);
+    real3 right = real3(select(level, real(1.0f), -n.z), real(0.0f), select(level, real(0.0f), n.x));
+    return right * slope.x + cross(right, n) * slope.y;
+}
+
 /// Ripples (all of one wavelength, 1) or waves (each of another, the longer the steeper) from ten places near the
 /// origin.
 FN real3 rings_slope(real3 p, bool one_wavelength, float frequency, float phase) {
@@ -110,21 +118,22 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 te
             PatternPoint placed = at_point;
             placed.position = p;
             placed.asking = wanted;
-            real3 offset = normal_offset(SCENE_ AT(code, at + 1u), placed, AT(code, at + 4u),
-                                         code_float(SCENE_ at + 5u), code_float(SCENE_ at + 6u)) *
-                           real(code_float(SCENE_ at + 2u));
             // Normals go to the pattern's space by the inverse transposed of A = pattern_from_world, are made unit and
             // bent there and come back by the transposed: that is n + |A^-T n| A^T offset.
             real3 a_x = from_x * texture_x.x + from_y * texture_x.y + from_z * texture_x.z;
             real3 a_y = from_x * texture_y.x + from_y * texture_y.y + from_z * texture_y.z;
             real3 a_z = from_x * texture_z.x + from_y * texture_z.y + from_z * texture_z.z;
+            uint kind = AT(code, at + 1u);
+            real3 offset = normal_offset(SCENE_ kind, placed, AT(code, at + 4u), code_float(SCENE_ at + 5u),
+                                         code_float(SCENE_ at + 6u)) *
+                           real(code_float(SCENE_ at + 2u));
+            real determinant = dot(a_x, cross(a_y, a_z));
+            real3 inside = cross(a_y, a_z) * n.x + cross(a_z, a_x) * n.y + cross(a_x, a_y) * n.z;
+            if (kind == NORMAL_IMAGE)
+                offset = slope_on_surface(offset, normalize(select(determinant < real(0.0f), -inside, inside)));
             real3 back = real3(dot(a_x, offset), dot(a_y, offset), dot(a_z, offset));
             if (AT(code, at + 3u) == 2u) back = offset;
-            if (AT(code, at + 3u) == 0u) {
-                real determinant = dot(a_x, cross(a_y, a_z));
-                real3 inside = cross(a_y, a_z) * n.x + cross(a_z, a_x) * n.y + cross(a_x, a_y) * n.z;
-                back = back * (length(inside) / max(abs(determinant), real(1e-30f)));
-            }
+            if (AT(code, at + 3u) == 0u) back = back * (length(inside) / max(abs(determinant), real(1e-30f)));
             sum = sum + normalize(n + back) * weight;
         }
     }
