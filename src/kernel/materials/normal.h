@@ -46,7 +46,7 @@ FN real3 image_slope(SCENE uint program, PatternPoint at, float texel_u, float t
 /// pictures show it, and stands upright.
 FN real3 slope_on_surface(real3 slope, real3 n) {
     mask level = n.x * n.x + n.z * n.z < real(1e-12f);
-    real3 right = real3(select(level, real(1.0f), -n.z), real(0.0f), select(level, real(0.0f), n.x));
+    real3 right = normalize(real3(select(level, real(1.0f), -n.z), real(0.0f), select(level, real(0.0f), n.x)));
     return right * slope.x + cross(right, n) * slope.y;
 }
 
