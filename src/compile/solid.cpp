@@ -13,12 +13,6 @@ namespace {
 /// Unions in each other that are split; deeper ones stay whole.
 constexpr int kMaxSplits = 100;
 
-bool uses_uv(const scene::Pigment* pigment) {
-    if (pigment == nullptr) return false;
-    return pigment->uv_mapping || std::any_of(pigment->entries.begin(), pigment->entries.end(),
-                                              [](const scene::PigmentEntry& e) { return uses_uv(e.pigment.get()); });
-}
-
 /// Whether a material looks at texture coordinates: the kernel's primitives and POV-Ray's shapes have different ones.
 bool uses_uv(const scene::Material& material) {
     if (!material.patterned) {
@@ -27,11 +21,7 @@ bool uses_uv(const scene::Material& material) {
         return m.checker || mapped(m.map_diffuse) || mapped(m.map_specular) || mapped(m.map_bump) ||
                mapped(m.map_normal) || mapped(m.map_opacity) || mapped(m.map_emission);
     }
-    if (!material.patterned->texture) return false;
-    const std::vector<scene::TextureLayer>& layers = material.patterned->texture->layers;
-    return std::any_of(layers.begin(), layers.end(), [](const scene::TextureLayer& layer) {
-        return uses_uv(layer.pigment.get()) || (layer.normal && layer.normal->uv_mapping);
-    });
+    return material.patterned->texture && scene::uses_uv(*material.patterned->texture);
 }
 
 /// The factor by which a map scales all lengths alike; 0 if it doesn't.

@@ -346,9 +346,9 @@ KERNEL_CONST uint FEATURE_ENVIRONMENT = 33554432u;  ///< FrameParams::environmen
 KERNEL_CONST uint FEATURE_VEILS = 67108864u;        ///< Some material lets light pass that doesn't bend.
 /// Some vertex has a colour, a tangent or second texture coordinates: each has VERTEX_UVS entries of `uvs`.
 KERNEL_CONST uint FEATURE_VERTEX_ATTRIBUTES = 134217728u;
-/// Some layer lets light in that comes out elsewhere (the CPU device's alone).
-KERNEL_CONST uint FEATURE_SUBSURFACE = 1073741824u;
 KERNEL_CONST uint FEATURE_ONE_SIDED = 268435456u;  ///< The eye may see some MATERIAL_ONE_SIDED from behind.
+/// Some layer lets light in that comes out elsewhere (the CPU device's alone).
+KERNEL_CONST uint FEATURE_SUBSURFACE = 536870912u;
 
 /// With FEATURE_VERTEX_ATTRIBUTES, a vertex's entries of `uvs`: its texture coordinates, the second ones, red and
 /// green, blue and alpha, and a tangent's x and y, z and handedness (1 or -1; all 0: it has none).

@@ -130,6 +130,10 @@ struct LayeredTexture {
     std::shared_ptr<const LayeredTexture> blended = nullptr;
 };
 
+/// Whether it, or a pigment in it, looks at coordinates on the surface.
+bool uses_uv(const Pigment& pigment);
+bool uses_uv(const LayeredTexture& texture);
+
 /// A texture on an object. Objects that carry the same texture share it and differ in where it lies, or in its colour.
 struct PatternedSurface {
     std::shared_ptr<const LayeredTexture> texture;

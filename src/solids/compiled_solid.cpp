@@ -291,10 +291,11 @@ void CompiledSolid::nearest_event(std::uint32_t index, const WorldRay& ray, Rang
 
 /// Whether a node that is clipped to the stretch `kept` of `range` shows there, and not at the ends alone; `found`:
 /// whether it may show at all.
-bool CompiledSolid::any_off_ends(const Node& node, const WorldRay& ray, Range range, Range kept, bool& found) const {
+bool CompiledSolid::any_off_ends(std::uint32_t index, const WorldRay& ray, Range range, Range kept, bool& found) const {
+    const Node& node = nodes_[index];
     const Range search = widened(kept, ray, range);
     if (node.combination != Combination::leaf) {
-        found = any_event(static_cast<std::uint32_t>(&node - nodes_.data()), ray, search);
+        found = any_event(index, ray, search);
         return false;
     }
     if (!may_meet(node, ray, search)) return false;
@@ -336,7 +337,7 @@ bool CompiledSolid::any_event(std::uint32_t index, const WorldRay& ray, Range ra
         const Range kept = range_of_clips(node, ray, range);
         if (kept.empty()) return false;
         bool found = false;
-        if (any_off_ends(nodes_[node.first], ray, range, kept, found)) return true;
+        if (any_off_ends(node.first, ray, range, kept, found)) return true;
         if (!found) return false;
         const auto shrunk = [&](double t, double by) { return t + by * 10 * coincidence_tolerance(ray, t); };
         const Range sure{kept.lower == range.lower ? range.lower : shrunk(kept.lower, 1),

@@ -43,7 +43,7 @@ public:
         Affine3d shape_from_world;
         std::uint32_t material = 0;
         std::uint32_t interior_material = scene::Solid::kInherited;
-        bool needs_uv = true;  ///< Its materials may look at texture coordinates.
+        bool needs_uv = true;   ///< Its materials may look at texture coordinates.
         const char* kind = "";  ///< What messages call the shape: "a cone".
     };
     struct Node {
@@ -139,7 +139,7 @@ private:
     [[nodiscard]] Range range_of_clips(const Node& node, const WorldRay& ray, Range range) const;
     bool group_events(const Node& node, const WorldRay& ray, Range range, EventList& out) const;
     void nearest_event(std::uint32_t node, const WorldRay& ray, Range& range, std::optional<Event>& best) const;
-    bool any_off_ends(const Node& node, const WorldRay& ray, Range range, Range kept, bool& found) const;
+    bool any_off_ends(std::uint32_t index, const WorldRay& ray, Range range, Range kept, bool& found) const;
     [[nodiscard]] bool any_event(std::uint32_t node, const WorldRay& ray, Range range) const;
     [[nodiscard]] bool inside_node(std::uint32_t node, Vec3d point) const;
     [[nodiscard]] Hit hit_of(const Event& event, const WorldRay& ray) const;

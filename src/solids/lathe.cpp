@@ -95,9 +95,7 @@ public:
         out.add(static_cast<double>(pieces().size()));
         for (std::size_t i = 0; i < 2; ++i)
             for (std::size_t k = 0; k < 2; ++k) out.add(i < ends_.size() ? ends_[i][k] : 0);
-        for (const CurvePiece& piece : pieces())
-            for (const std::array<double, 4>& coordinate : {piece.x, piece.y})
-                for (const double c : coordinate) out.add(c);
+        for (const CurvePiece& piece : pieces()) out.add(piece.x).add(piece.y);
         return out;
     }
 

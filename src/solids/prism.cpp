@@ -82,9 +82,7 @@ public:
         if (conic_) return {};
         ShapeNumbers out{ShapeNumbers::Kind::prism, {}};
         out.add(lower_).add(upper_).add(open_ ? 1 : 0).add(static_cast<double>(pieces_.size()));
-        for (const CurvePiece& piece : pieces_)
-            for (const std::array<double, 4>& coordinate : {piece.x, piece.y})
-                for (const double c : coordinate) out.add(c);
+        for (const CurvePiece& piece : pieces_) out.add(piece.x).add(piece.y);
         return out;
     }
 

@@ -2,6 +2,7 @@
 // Shapes as plain numbers, for devices that find them on rays by code of their own.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -54,6 +55,10 @@ struct ShapeNumbers {
         return *this;
     }
     ShapeNumbers& add(Vec3d v) { return add(v.x).add(v.y).add(v.z); }
+    ShapeNumbers& add(const std::array<double, 4>& cubic) {
+        values.insert(values.end(), cubic.begin(), cubic.end());
+        return *this;
+    }
 };
 
 }  // namespace sundog::solids

@@ -96,8 +96,7 @@ public:
         out.add(open_ ? 1 : 0).add(box_.lower.y).add(box_.upper.y).add(radius_);
         out.add(static_cast<double>(pieces_.size()));
         for (const Piece& piece : pieces_) {
-            out.add(piece.lower).add(piece.upper);
-            for (const double c : piece.square) out.add(c);
+            out.add(piece.lower).add(piece.upper).add(piece.square);
         }
         return out;
     }

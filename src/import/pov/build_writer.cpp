@@ -54,19 +54,6 @@ std::optional<scene::Plane> placed(const scene::HalfSpace& plane, const Affine3d
     return scene::Plane{to_float(normal / len), static_cast<float>((plane.distance + dot(normal, world.t)) / len)};
 }
 
-bool uses_uv(const scene::Pigment& pigment) {
-    return pigment.uv_mapping || std::any_of(pigment.entries.begin(), pigment.entries.end(), [](const auto& entry) {
-               return entry.pigment && uses_uv(*entry.pigment);
-           });
-}
-
-/// Whether a texture looks at coordinates on the surface: only solids have POV-Ray's.
-bool uses_uv(const TexturePointer& texture) {
-    return texture && std::any_of(texture->layers.begin(), texture->layers.end(), [](const auto& layer) {
-               return uses_uv(*layer.pigment) || (layer.normal && layer.normal->uv_mapping);
-           });
-}
-
 /// Exact shapes that the scene holds without a solid around them.
 std::optional<decltype(Object::shape)> simple_shape(const Node& node, const Affine3d& world) {
     if (node.inverted || !node.clipped_by.empty()) return std::nullopt;
@@ -176,7 +163,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     const auto* mesh = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape);
     if (mesh && plain && !inside.interior_texture) {
         object.shape = mesh_of(**mesh, inside, object.material);
-    } else if (auto simple = inside.interior_texture || uses_uv(inside.texture)
+    } else if (auto simple = inside.interior_texture || (inside.texture && scene::uses_uv(*inside.texture))
                                  ? std::nullopt
                                  : simple_shape(node, inside.world_from_parent)) {
         object.shape = std::move(*simple);

@@ -147,7 +147,6 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
 /// Puts particles in the places of surfaces, in lanes where they are met.
 FN void take_particle(Particle particle, Ray ray, INOUT(Surface) s, INOUT(Lobes) lobes, INOUT(Scatter) scatter,
                       INOUT(ShadingFrame) basis) {
-    real3 black = real3(real(0.0f));
     mask met = particle.met;
     s.position = select(met, point_at(ray, particle.t), s.position);
     s.normal = select(met, -ray.direction, s.normal);
@@ -158,17 +157,7 @@ FN void take_particle(Particle particle, Ray ray, INOUT(Surface) s, INOUT(Lobes)
     basis.x = select(met, around.x, basis.x);
     basis.y = select(met, around.y, basis.y);
     basis.z = select(met, around.z, basis.z);
-    lobes.emission = select(met, black, lobes.emission);
-    lobes.ambient = select(met, black, lobes.ambient);
-    lobes.reflectance = select(met, black, lobes.reflectance);
-    lobes.transmittance = select(met, black, lobes.transmittance);
-    lobes.patterned = mask_and(lobes.patterned, mask_not(met));
-    scatter.rough = select(met, real(1.0f), scatter.rough);
-    scatter.mirrored = select(met, real(0.0f), scatter.mirrored);
-    scatter.through = select(met, real(0.0f), scatter.through);
-    scatter.gloss = select(met, real(0.0f), scatter.gloss);
-    scatter.own = mask_and(scatter.own, mask_not(met));
-    scatter.clear = mask_and(scatter.clear, mask_not(met));
+    become_matt(met, lobes, scatter);
     scatter.particle = met;
     scatter.phase = particle.type;
     scatter.eccentricity = particle.eccentricity;

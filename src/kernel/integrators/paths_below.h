@@ -25,19 +25,10 @@ FN_LARGE void go_below(SCENE LARGE(LayerColors) layered, mask outside, INOUT(Ray
                        INOUT(ShadingFrame) basis) {
     real3 black = real3(real(0.0f));
     real3 reflectance;
-    real3 reach;
-    mask spread =
-        translucent_layers(SCENE_ s.material, layered, mask_and(outside, lobes.patterned), reflectance, reach);
-    if (!any_lane(spread)) return;
     SubsurfacePoint point;
-    point.s = s;
-    point.eta = select(spread, lobes.eta, real(1.0f));
-    point.dipole = dipole_of(reflectance, select(spread, reach, real3(real(1.0f))), 1.0f / point.eta);
-    point.interior = interior_of(SCENE_ s, spread);
-    point.kind = path.kind;
-    point.media = path.media;
-    point.patterned = lobes.patterned;
-    real leaving = 1.0f - fresnel_dielectric(-dot(s.normal, path.ray.direction), point.eta);
+    mask spread = subsurface_point(SCENE_ s, lobes, layered, path.kind, path.media, outside, point, reflectance);
+    if (!any_lane(spread)) return;
+    real leaving = share_leaving(point, path.ray.direction);
     if (FRAME.light_count > 0u) {
         real3 once = single_scattered_light(SCENE_ point, path.ray.direction, word(1u), spread, counts);
         radiance = radiance + select(spread, path.weight * once * leaving, black);
@@ -84,15 +75,7 @@ FN_LARGE void go_below(SCENE LARGE(LayerColors) layered, mask outside, INOUT(Ray
     path.weight = select(goes, path.weight * value * (leaving * entering / below), path.weight);
     lobes.diffuse = select(goes, real3(real(1.0f)), lobes.diffuse);
     lobes.specular = select(goes, black, lobes.specular);
-    lobes.emission = select(goes, black, lobes.emission);
-    lobes.ambient = select(goes, black, lobes.ambient);
-    lobes.reflectance = select(goes, black, lobes.reflectance);
-    lobes.transmittance = select(goes, black, lobes.transmittance);
-    lobes.patterned = mask_and(lobes.patterned, mask_not(goes));
-    scatter.rough = select(goes, real(1.0f), scatter.rough);
-    scatter.mirrored = select(goes, real(0.0f), scatter.mirrored);
-    scatter.through = select(goes, real(0.0f), scatter.through);
-    scatter.gloss = select(goes, real(0.0f), scatter.gloss);
+    become_matt(goes, lobes, scatter);
     s.position = select(goes, out.position, s.position);
     s.error = select(goes, out.error, s.error);
     s.geometric_normal = select(goes, out.geometric_normal, s.geometric_normal);

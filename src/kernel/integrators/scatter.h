@@ -43,6 +43,23 @@ struct Scatter {
     real eccentricity;              ///< and this shape.
 };
 
+/// In the lanes of `where`, takes all from a surface but its diffuse and specular colours: it neither shines nor
+/// reflects nor lets light through, and paths go off from it in all directions.
+FN void become_matt(mask where, INOUT(Lobes) lobes, INOUT(Scatter) scatter) {
+    real3 black = real3(real(0.0f));
+    lobes.emission = select(where, black, lobes.emission);
+    lobes.ambient = select(where, black, lobes.ambient);
+    lobes.reflectance = select(where, black, lobes.reflectance);
+    lobes.transmittance = select(where, black, lobes.transmittance);
+    lobes.patterned = mask_and(lobes.patterned, mask_not(where));
+    scatter.rough = select(where, real(1.0f), scatter.rough);
+    scatter.mirrored = select(where, real(0.0f), scatter.mirrored);
+    scatter.through = select(where, real(0.0f), scatter.through);
+    scatter.gloss = select(where, real(0.0f), scatter.gloss);
+    scatter.own = mask_and(scatter.own, mask_not(where));
+    scatter.clear = mask_and(scatter.clear, mask_not(where));
+}
+
 /// The sharpest highlight of layers counts, and the share of all.
 FN void layers_gloss(SCENE Surface s, LARGE(LayerColors) layered, mask patterned_lanes, INOUT(real) gloss,
                      INOUT(real) exponent) {

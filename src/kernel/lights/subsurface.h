@@ -52,6 +52,28 @@ FN mask translucent_layers(SCENE word material, LARGE(LayerColors) layered, mask
     return mask_and(found, weights > real(0.0f));
 }
 
+/// The point of lanes of `found`, seen along `ray_kind`'s rays from `media`, whose surfaces let light in: the answer
+/// says which; `reflectance` is their diffuse one.
+FN mask subsurface_point(SCENE LARGE(Surface) s, LARGE(Lobes) lobes, LARGE(LayerColors) layered, word ray_kind,
+                         LARGE(MediaInsides) media, mask found, OUT(SubsurfacePoint) point, OUT(real3) reflectance) {
+    real3 reach;
+    mask spread = translucent_layers(SCENE_ s.material, layered, mask_and(found, lobes.patterned), reflectance, reach);
+    if (!any_lane(spread)) return spread;
+    point.s = s;
+    point.eta = select(spread, lobes.eta, real(1.0f));
+    point.dipole = dipole_of(reflectance, select(spread, reach, real3(real(1.0f))), 1.0f / point.eta);
+    point.interior = interior_of(SCENE_ s, spread);
+    point.kind = ray_kind;
+    point.media = media;
+    point.patterned = lobes.patterned;
+    return spread;
+}
+
+/// The share of light that comes out of the point against `incoming`.
+FN real share_leaving(LARGE(SubsurfacePoint) point, real3 incoming) {
+    return 1.0f - fresnel_dielectric(-dot(point.s.normal, incoming), point.eta);
+}
+
 /// Lanes of `found` where x is of the same object as the point: what has the same interior is one object, as in povray.
 FN mask same_object(SCENE LARGE(SubsurfacePoint) point, LARGE(Surface) x, mask found) {
     mask layered = mask_and(found, (FIELD(materials, x.material, flags) & word(MATERIAL_PATTERNED)) != word(0u));
@@ -102,13 +124,10 @@ const float SUBSURFACE_OUTWARD = 0.7f;
 /// The most that a place counts, over its density.
 const float SUBSURFACE_MOST = 8.0f;
 
-/// The part of a number behind the point.
-FN real wrapped(real x) { return x - floor(x); }
-
 /// Of red, green and blue, that whose turn it is at sample k; `turn` says at random who begins, so that few samples are
 /// as fair as many.
 FN real channel_in_turn(real3 v, real turn, uint k) {
-    real third = wrapped(turn + float(k % 3u) * 0.333333333f);
+    real third = fraction(turn + float(k % 3u) * 0.333333333f);
     return select(third < real(0.333333333f), v.x, select(third < real(0.666666667f), v.y, v.z));
 }
 
@@ -186,7 +205,7 @@ FN_LARGE real3 diffused_light(SCENE LARGE(SubsurfacePoint) point, word samples, 
     for (uint k = 0u; k < FRAME.subsurface_samples; k = k + 1u) {
         mask here = mask_and(wanted, word(k) < samples);
         if (!any_lane(here)) break;
-        real2 turned = real2(wrapped(turn_x + 0.754877666f * float(k)), wrapped(turn_y + 0.569840291f * float(k)));
+        real2 turned = real2(fraction(turn_x + 0.754877666f * float(k)), fraction(turn_y + 0.569840291f * float(k)));
         real under = channel_in_turn(depth, turn_channel, k);
         Surface x;
         mask found = place_below(SCENE_ point, basis, turned, under, here, counts, x);
@@ -234,7 +253,7 @@ FN_LARGE real3 single_scattered_light(SCENE LARGE(SubsurfacePoint) point, real3 
         mask here = mask_and(wanted, word(k) < samples);
         if (!any_lane(here)) break;
         taken = taken + select(here, real(1.0f), real(0.0f));
-        real u = max(1.0f - wrapped(turn + 0.618033989f * float(k)), real(1e-7f));
+        real u = max(1.0f - fraction(turn + 0.618033989f * float(k)), real(1e-7f));
         real distance = log2_positive(u) * -0.34657359f * channel_in_turn(depth, turn_channel, k);
         here = mask_and(here, distance < room);
         if (!any_lane(here)) continue;
@@ -286,24 +305,15 @@ FN_LARGE real3 subsurface_light(SCENE LARGE(Surface) s, LARGE(Lobes) lobes, LARG
                                 OUT(mask) spread) {
     real3 black = real3(real(0.0f));
     real3 reflectance;
-    real3 reach;
-    spread = translucent_layers(SCENE_ s.material, layered, mask_and(found, lobes.patterned), reflectance, reach);
-    if (!any_lane(spread)) return black;
     SubsurfacePoint point;
-    point.s = s;
-    point.eta = select(spread, lobes.eta, real(1.0f));
-    point.dipole = dipole_of(reflectance, select(spread, reach, real3(real(1.0f))), 1.0f / point.eta);
-    point.interior = interior_of(SCENE_ s, spread);
-    point.kind = kind;
-    point.media = media;
-    point.patterned = lobes.patterned;
-    real leaving = 1.0f - fresnel_dielectric(-dot(s.normal, incoming), point.eta);
+    spread = subsurface_point(SCENE_ s, lobes, layered, kind, media, found, point, reflectance);
+    if (!any_lane(spread)) return black;
     real most = largest(weight);
     word many = fewer_samples(FRAME.subsurface_samples, most);
     word single = fewer_samples(FRAME.subsurface_single_samples, most);
     real3 diffused = diffused_light(SCENE_ point, many, spread, counts);
     real3 once = single_scattered_light(SCENE_ point, incoming, single, spread, counts);
-    return select(spread, (diffused + once) * leaving, black);
+    return select(spread, (diffused + once) * share_leaving(point, incoming), black);
 }
 
 KERNEL_END
