@@ -11,6 +11,7 @@
 #include "compile/camera.h"
 #include "compile/convert.h"
 #include "compile/emitters.h"
+#include "compile/interior_copies.h"
 #include "compile/material.h"
 #include "compile/media_bound.h"
 #include "compile/mesh.h"
@@ -75,8 +76,8 @@ std::vector<bool> tinted_materials(const scene::Scene& scene) {
 }
 
 /// Returns the lists of media.
-std::vector<MediaList> compile_materials(const scene::Scene& scene, RenderScene& out) {
-    PatternCompiler patterns(scene, out);
+std::vector<MediaList> compile_materials(const scene::Scene& scene, const InteriorCopies& copies, RenderScene& out) {
+    PatternCompiler patterns(scene, copies, out);
     const std::vector<bool> tinted = tinted_materials(scene);
     out.material_maps.push_back(no_maps());
     out.materials.reserve(scene.materials.size());
@@ -155,25 +156,25 @@ public:
     kernel::Geometry operator()(const Boxed<scene::Mesh>& mesh) {
         const auto first = static_cast<std::uint32_t>(out_.triangles.size());
         const std::uint32_t count = append_mesh(object_, *mesh, attributes_, out_, warn_);
-        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0, 0};
+        return {kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0, 0, 0};
     }
     kernel::Geometry operator()(const scene::Sphere& sphere) {
         if (!(sphere.radius > 0)) return none("a sphere of no radius");
         out_.spheres.push_back({to_kernel(sphere.center), sphere.radius, object_.material});
-        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0, 0};
+        return {kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0, 0, 0};
     }
     kernel::Geometry operator()(const scene::Box& box) {
         const Vec3 size = box.upper - box.lower;
         if (!(size.x >= 0 && size.y >= 0 && size.z >= 0)) return none("a box whose corners are the wrong way round");
         out_.boxes.push_back({to_kernel(box.lower), to_kernel(box.upper), object_.material});
-        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0, 0};
+        return {kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0, 0, 0};
     }
     kernel::Geometry operator()(const scene::Plane& plane) {
         const float len = length(plane.normal);
         if (!(len > 0)) return none("a plane whose normal has no direction");
         out_.planes.push_back({to_kernel(plane.normal / len), plane.offset / len, object_.material,
                                static_cast<std::uint32_t>(out_.geometries.size())});
-        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0, 0};
+        return {kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0, 0, 0};
     }
     /// Solids are append_solid's.
     kernel::Geometry operator()(const std::shared_ptr<const scene::Solid>&) { return none("a solid"); }
@@ -187,7 +188,7 @@ private:
         if (warn_)
             warn_(
                 {Severity::warning, object_.where, "object '" + object_.name + "' is " + what + "; left out", "", ""});
-        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE, 0, 0};
+        return {kernel::GEOMETRY_TRIANGLES, 0, 0, kernel::NONE, 0, 0, 0};
     }
 
     const scene::Object& object_;
@@ -207,8 +208,9 @@ std::uint32_t hidden_from(const scene::Object& object, bool some_project, bool p
 /// Lists the geometries of the scene's objects.
 class GeometryList {
 public:
-    GeometryList(const scene::Scene& scene, RenderScene& out)
-        : out_(out),
+    GeometryList(const scene::Scene& scene, const InteriorCopies& copies, RenderScene& out)
+        : copies_(copies),
+          out_(out),
           targets_(scene, out),
           photons_(scene.photons.has_value()),
           some_project_(std::any_of(scene.objects.begin(), scene.objects.end(),
@@ -219,6 +221,7 @@ public:
         if (scene::moves(object)) geometry.instance = instance_count_++;
         geometry.hidden_from = hidden_from(object, some_project_, photons_);
         if (photons_) geometry.photons = targets_.photons_of(object_);
+        geometry.interior_copy = copies_.of(object_);
         out_.geometries.push_back(geometry);
         out_.geometry_names.push_back(object.name);
         out_.geometry_objects.push_back(object_);
@@ -251,9 +254,10 @@ private:
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
                last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
                last.hidden_from == hidden_from(object, some_project_, photons_) &&
-               (!photons_ || last.photons == targets_.photons_of(object_));
+               last.interior_copy == copies_.of(object_) && (!photons_ || last.photons == targets_.photons_of(object_));
     }
 
+    const InteriorCopies& copies_;
     RenderScene& out_;
     PhotonTargets targets_;
     bool photons_;
@@ -364,11 +368,12 @@ void note_one_sided(const scene::Object& object, const kernel::Geometry& geometr
 std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const WarningSink& warn, bool for_paths) {
     auto out = std::make_shared<RenderScene>();
     compile_textures(scene, *out);
-    const std::vector<MediaList> media = compile_materials(scene, *out);
+    const InteriorCopies copies = interior_copies(scene);
+    const std::vector<MediaList> media = compile_materials(scene, copies, *out);
     compile_camera(scene, *out);
 
     const MeshAttributes attributes = attributes_of(scene, *out);
-    GeometryList list(scene, *out);
+    GeometryList list(scene, copies, *out);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
         list.begin_object(static_cast<std::uint32_t>(i));

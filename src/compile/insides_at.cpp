@@ -30,7 +30,8 @@ public:
         for (const PlacedSolid& placed : scene_.solids) {
             const std::vector<std::uint32_t>& materials = placed.solid->materials();
             if (is_projector(scene_.geometries[placed.geometry])) continue;
-            if (!materials.empty() && placed.solid->inside(point_)) add(materials.front());
+            if (!materials.empty() && placed.solid->inside(point_))
+                add(scene_.geometries[placed.geometry], materials.front());
         }
         return found_;
     }
@@ -39,27 +40,29 @@ private:
     void add_primitive(const kernel::Geometry& g, std::uint32_t i) {
         if (g.kind == kernel::GEOMETRY_SPHERE) {
             const kernel::Sphere& sphere = scene_.spheres[i];
-            if (length(point_ - to_vec3d(sphere.center)) < sphere.radius) add(sphere.material);
+            if (length(point_ - to_vec3d(sphere.center)) < sphere.radius) add(g, sphere.material);
         } else if (g.kind == kernel::GEOMETRY_BOX) {
             const kernel::Box& box = scene_.boxes[i];
             const Vec3d lower = to_vec3d(box.lower), upper = to_vec3d(box.upper);
             if (point_.x > lower.x && point_.y > lower.y && point_.z > lower.z && point_.x < upper.x &&
                 point_.y < upper.y && point_.z < upper.z)
-                add(box.material);
+                add(g, box.material);
         } else if (g.kind == kernel::GEOMETRY_PLANE) {
             const kernel::Plane& plane = scene_.planes[i];
-            if (dot(to_vec3d(plane.normal), point_) < plane.offset) add(plane.material);
+            if (dot(to_vec3d(plane.normal), point_) < plane.offset) add(g, plane.material);
         }
     }
 
-    void add(std::uint32_t material) {
+    void add(const kernel::Geometry& g, std::uint32_t material) {
         const kernel::Material& m = scene_.materials[material];
         if ((m.flags & kernel::MATERIAL_PATTERNED) == 0) return;
-        const std::uint32_t entry = scene_.patterned[m.patterned].*listed_;
+        std::uint32_t entry = scene_.patterned[m.patterned].*listed_;
         if (entry == none_) return;
+        const bool interiors = listed_ == &kernel::PatternedMaterial::interior;
+        if (interiors && entry > kernel::INTERIOR_PLAIN) entry += g.interior_copy;
         // What is around the point for good, and not what rays go in and out of: one for all objects that have no
         // interior of their own.
-        if (listed_ == &kernel::PatternedMaterial::interior && entry == kernel::INTERIOR_PLAIN) {
+        if (interiors && entry == kernel::INTERIOR_PLAIN) {
             if (std::find(found_.begin(), found_.end(), kInteriorAround) == found_.end())
                 found_.push_back(kInteriorAround);
             return;

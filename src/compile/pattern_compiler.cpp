@@ -285,8 +285,9 @@ std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surfac
     out.dispersion_samples = static_cast<std::uint32_t>(std::clamp(interior.dispersion_samples, 2, kMostColors));
     out.caustics = kCausticsExponent * std::max(interior.caustics, 0.0F);
     // Beyond the numbers that rays can keep, objects share the last.
-    if (out_.interiors.size() < kernel::MAX_INTERIORS) out_.interiors.push_back(out);
-    const auto number = static_cast<std::uint32_t>(out_.interiors.size() - 1);
+    const std::uint32_t count = copies_.count(surface.interior_number);
+    if (out_.interiors.size() + count <= kernel::MAX_INTERIORS) out_.interiors.insert(out_.interiors.end(), count, out);
+    const auto number = static_cast<std::uint32_t>(out_.interiors.size() - count);
     interiors_[surface.interior_number] = number;
     return number;
 }

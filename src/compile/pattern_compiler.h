@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "compile/interior_copies.h"
 #include "compile/media_bound.h"
 #include "device/render_scene.h"
 #include "fields/host_fields.h"
@@ -21,9 +22,9 @@ namespace sundog {
 /// `sky_layers` and `fogs`. A texture that many surfaces share is compiled once.
 class PatternCompiler {
 public:
-    /// Both must outlive the compiler.
-    PatternCompiler(const scene::Scene& scene, RenderScene& out)
-        : scene_(scene), out_(out), host_(std::make_shared<fields::HostFieldTable>(scene.textures)) {}
+    /// All must outlive the compiler.
+    PatternCompiler(const scene::Scene& scene, const InteriorCopies& copies, RenderScene& out)
+        : scene_(scene), copies_(copies), out_(out), host_(std::make_shared<fields::HostFieldTable>(scene.textures)) {}
 
     /// The kernel's material for one whose `patterned` is set. Errors: InputError for more than MAX_LAYERS layers,
     /// pigment maps nested deeper than PROGRAM_SLOTS.
@@ -56,6 +57,7 @@ private:
     std::uint32_t media_of(const std::vector<scene::Medium>& media, const Affine3d& medium_from_world);
 
     const scene::Scene& scene_;
+    const InteriorCopies& copies_;
     RenderScene& out_;
     std::shared_ptr<fields::HostFieldTable> host_;
     std::map<std::pair<const scene::LayeredTexture*, bool>, Layers> compiled_;  ///< With its own colours, or without.

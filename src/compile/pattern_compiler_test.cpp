@@ -50,7 +50,7 @@ public:
         texture->layers.push_back({std::move(pigment), {}});
         scene::Material material;
         material.patterned.emplace().texture = texture;
-        PatternCompiler compiler(scene_, out_);
+        PatternCompiler compiler(scene_, copies_, out_);
         material_ = compiler.compile_surface(material);
         view_.code = out_.code.data();
     }
@@ -62,6 +62,7 @@ public:
 
 private:
     scene::Scene scene_;
+    InteriorCopies copies_;
     RenderScene out_;
     kernel::Material material_{};
     kernel::SceneView view_{};

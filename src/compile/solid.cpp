@@ -96,7 +96,7 @@ private:
         const Vec3d center = transform_point(m, sphere.center);
         const Vec3d reach{radius, radius, radius};
         out_.spheres.push_back({to_kernel(to_float(center)), static_cast<float>(radius), material});
-        add_({{kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0, 0},
+        add_({{kernel::GEOMETRY_SPHERE, last(out_.spheres), 1, kernel::NONE, 0, 0, 0},
               nullptr,
               float_bounds({center - reach, center + reach})});
         return true;
@@ -107,7 +107,7 @@ private:
         bounds.include(transform_point(m, box.lower));
         bounds.include(transform_point(m, box.upper));
         out_.boxes.push_back({to_kernel(to_float(bounds.lower)), to_kernel(to_float(bounds.upper)), material});
-        add_({{kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0, 0}, nullptr, float_bounds(bounds)});
+        add_({{kernel::GEOMETRY_BOX, last(out_.boxes), 1, kernel::NONE, 0, 0, 0}, nullptr, float_bounds(bounds)});
         return true;
     }
     /// Planes are asked one by one, by all rays: what some rays don't see can't be among them.
@@ -122,7 +122,7 @@ private:
         const auto geometry = static_cast<std::uint32_t>(out_.geometries.size());
         out_.planes.push_back(
             {to_kernel(to_float(normal * side)), static_cast<float>(dot(normal, point) * side), material, geometry});
-        add_({{kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0, 0}, nullptr, {}});
+        add_({{kernel::GEOMETRY_PLANE, last(out_.planes), 1, kernel::NONE, 0, 0, 0}, nullptr, {}});
         return true;
     }
     bool write_mesh(const scene::SolidMesh& mesh, const Affine3d& m, std::uint32_t material) {
@@ -131,7 +131,7 @@ private:
         const std::uint32_t count = append_mesh(object_, placed, attributes_, out_, warn_);
         Bounds3 bounds;
         for (const Vec3 p : placed.positions) bounds.include(p);
-        if (count > 0) add_({{kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0, 0}, nullptr, bounds});
+        if (count > 0) add_({{kernel::GEOMETRY_TRIANGLES, first, count, kernel::NONE, 0, 0, 0}, nullptr, bounds});
         return true;
     }
     static scene::Mesh placed_mesh(const scene::SolidMesh& mesh, const Affine3d& m, std::uint32_t material) {
@@ -170,7 +170,7 @@ private:
             parent.parent_from_shape = object_from_parent;
             compiled = solids::compile_solid(parent, material, scene_.textures, needs);
         }
-        add_({{kernel::GEOMETRY_SOLID, 0, 1, kernel::NONE, 0, 0}, compiled, float_bounds(compiled->bounds())});
+        add_({{kernel::GEOMETRY_SOLID, 0, 1, kernel::NONE, 0, 0, 0}, compiled, float_bounds(compiled->bounds())});
     }
 
     [[nodiscard]] bool needs_uv(std::uint32_t material) const {

@@ -432,9 +432,10 @@ struct Geometry {
     uint kind;             ///< GEOMETRY_*
     uint first_primitive;  ///< Into triangles, spheres, boxes or planes.
     uint primitive_count;
-    uint instance;     ///< Into instances; NONE where primitives are in world space.
-    uint hidden_from;  ///< RAY_* bits of rays that don't see it.
-    uint photons;      ///< PHOTONS_* bits and the number of a target.
+    uint instance;       ///< Into instances; NONE where primitives are in world space.
+    uint hidden_from;    ///< RAY_* bits of rays that don't see it.
+    uint photons;        ///< PHOTONS_* bits and the number of a target.
+    uint interior_copy;  ///< What is added to PatternedMaterial::interior (but INTERIOR_PLAIN) on it.
 };
 
 /// World placement of a moving geometry in this frame. Columns and translation of affine maps.

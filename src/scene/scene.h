@@ -236,6 +236,9 @@ struct Object {
     bool seen_in_reflections = true;  ///< no_reflection
     bool seen_by_radiosity = true;    ///< no_radiosity
     Boxed<ObjectPhotons> photons{};   ///< Few objects have any to do with them.
+    /// Objects with the same number have their interior from one place, as the parts of a union do that has it; 0: of
+    /// its own.
+    std::uint32_t interior_owner = 0;
     std::uint32_t projects = 0;       ///< Not seen at all: what some Light::projection shines through; 1 to 24.
     Boxed<NodeMotion> node_motion{};  ///< Instead of `motion`.
     std::shared_ptr<const Deformation> deformation{};  ///< Bends the mesh over time: see deformation.h.

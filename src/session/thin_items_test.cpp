@@ -53,7 +53,7 @@ TEST(ThinItems, SlantedAndHiddenThings) {
 // Catches parts of one mesh that share a box, and thin parts of one connected mesh.
 TEST(ThinItems, MeshesAreTakenApart) {
     RenderScene scene;
-    scene.geometries.push_back({kernel::GEOMETRY_TRIANGLES, 0, 4, kernel::NONE, 0, 0});
+    scene.geometries.push_back({kernel::GEOMETRY_TRIANGLES, 0, 4, kernel::NONE, 0, 0, 0});
     // Two far leaves, and an L of two long needles, one of them slanted.
     scene.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0},    {9, 9, 9}, {10, 9, 9},  {9, 10, 9},
                        {0, 0, 5}, {8, 0, 5}, {8, 0.1F, 5}, {0, 8, 9}, {0.1F, 8, 9}};

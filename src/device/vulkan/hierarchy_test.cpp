@@ -17,7 +17,7 @@ RenderScene three_spheres(std::uint32_t moving) {
         scene.geometries.push_back({kernel::GEOMETRY_SPHERE, i, 1, instance, 0, 0});
     }
     scene.planes.push_back({{0, 0, 1}, 0, 0, 3});
-    scene.geometries.push_back({kernel::GEOMETRY_PLANE, 0, 1, kernel::NONE, 0, 0});
+    scene.geometries.push_back({kernel::GEOMETRY_PLANE, 0, 1, kernel::NONE, 0, 0, 0});
     if (moving > 0) scene.features |= kernel::FEATURE_INSTANCES;
     return scene;
 }

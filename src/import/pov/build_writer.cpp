@@ -81,6 +81,7 @@ SceneWriter::Surroundings SceneWriter::within(const Surroundings& around, const 
     }
     if (node.interior) {
         inside.interior.interior = node.interior;
+        inside.interior_owner = ++interior_owners_;
         inside.interior.world_from_interior = around.world_from_parent * node.parent_from_interior;
     }
     inside.interior.hollow |= node.hollow;
@@ -160,6 +161,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     object.seen_by_radiosity = !inside.no_radiosity;
     if (!(inside.photons == scene::ObjectPhotons{})) object.photons = inside.photons;
     object.projects = inside.projects;
+    object.interior_owner = inside.interior_owner;
     const auto* mesh = std::get_if<std::shared_ptr<const NodeMesh>>(&node.shape);
     if (mesh && plain && !inside.interior_texture) {
         object.shape = mesh_of(**mesh, inside, object.material);

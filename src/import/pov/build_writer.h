@@ -32,6 +32,7 @@ private:
         TexturePointer texture{}, interior_texture{};  // Null: none.
         Affine3d world_from_texture{}, world_from_interior_texture{};
         PlacedInterior interior{};
+        std::uint32_t interior_owner = 0;  // As scene::Object's.
         bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false;
         scene::ObjectPhotons photons{};
         // Light groups: those whose lights reach objects here, whether the scene's own do, and the group of lights
@@ -60,7 +61,7 @@ private:
 
     BuildContext& context_;
     MaterialTable materials_;
-    std::uint32_t light_groups_ = 0, projectors_ = 0, whole_targets_ = 0;  // So far.
+    std::uint32_t light_groups_ = 0, projectors_ = 0, whole_targets_ = 0, interior_owners_ = 0;  // So far.
     std::map<std::vector<std::uint32_t>, std::uint32_t> light_sets_;
 };
 

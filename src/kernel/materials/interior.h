@@ -81,7 +81,10 @@ FN real3 interior_transmittance(SCENE word interior, real distance) {
 /// The interior of the object that a surface is of, in the lanes of `layered`; 0 in others.
 FN word interior_of(SCENE Surface s, mask layered) {
     word material = valid_index(layered, FIELD(materials, s.material, patterned));
-    return select(layered, FIELD(patterned, material, interior), word(0u));
+    word number = FIELD(patterned, material, interior);
+    mask copied = mask_and(layered, word(INTERIOR_PLAIN) < number);
+    number = number + select(copied, FIELD(geometries, s.geometry, interior_copy), word(0u));
+    return select(layered, number, word(0u));
 }
 
 /// What a ray meets at a surface of an object that has an interior.

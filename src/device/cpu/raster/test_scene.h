@@ -47,7 +47,7 @@ struct TestScene {
     void add_sphere(Vec3 center, float radius) {
         scene.spheres.push_back({{center.x, center.y, center.z}, radius, 0});
         scene.geometries.push_back(
-            {kernel::GEOMETRY_SPHERE, static_cast<std::uint32_t>(scene.spheres.size()) - 1, 1, kernel::NONE, 0, 0});
+            {kernel::GEOMETRY_SPHERE, static_cast<std::uint32_t>(scene.spheres.size()) - 1, 1, kernel::NONE, 0, 0, 0});
     }
     /// A bumpy ball of rings * 2*rings quads with shared corners.
     void add_ball(Vec3 center, float radius, int rings, float bumps) {
