@@ -6,6 +6,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "compile/bodies.h"
 #include "compile/bsdf.h"
 #include "compile/bsdf_tables.h"
 #include "compile/camera.h"
@@ -391,6 +392,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         list.add_bounds(world_bounds_of(object, bounds_of(object)));
     }
     list.finish(warn);
+    find_bodies(scene, *out);
     find_shining(*out);
     if (for_paths) add_majorant_grids(media, scene.textures, *out);
     if (scene.environment) compile_environment(*scene.environment, *out);

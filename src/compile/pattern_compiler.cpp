@@ -269,7 +269,7 @@ const PatternCompiler::Layers& PatternCompiler::layers_of(const scene::Material&
 std::uint32_t PatternCompiler::interior_of(const scene::PatternedSurface& surface) {
     // The open air, and after it the interior of all objects that have none of their own: within glass, povray takes
     // them for bubbles of air.
-    if (out_.interiors.empty()) out_.interiors.assign(kInteriorAround + 1, {1, 1, 0, {1, 1, 1}, 1, 1, 0});
+    if (out_.interiors.empty()) out_.interiors.assign(kInteriorAround + 1, {1, 1, 0, {1, 1, 1}, 1, 1, 0, {0, 0, 0}});
     if (surface.interior_number == 0 && (!surface.interior || *surface.interior == scene::Interior{}))
         return kernel::INTERIOR_PLAIN;
     if (const auto known = interiors_.find(surface.interior_number);

@@ -349,6 +349,8 @@ KERNEL_CONST uint FEATURE_VERTEX_ATTRIBUTES = 134217728u;
 KERNEL_CONST uint FEATURE_ONE_SIDED = 268435456u;  ///< The eye may see some MATERIAL_ONE_SIDED from behind.
 /// Some layer lets light in that comes out elsewhere (the CPU device's alone).
 KERNEL_CONST uint FEATURE_SUBSURFACE = 536870912u;
+/// Some Material::interior counts: bodies of materials without layers reach into each other, or hold something.
+KERNEL_CONST uint FEATURE_BODIES = 1073741824u;
 
 /// With FEATURE_VERTEX_ATTRIBUTES, a vertex's entries of `uvs`: its texture coordinates, the second ones, red and
 /// green, blue and alpha, and a tangent's x and y, z and handedness (1 or -1; all 0: it has none).
@@ -478,7 +480,8 @@ struct Material {
     uint patterned;  ///< Into `patterned`, if MATERIAL_PATTERNED.
     /// Mean luminance of what it emits, where paths aim at surfaces that shine; 0: they don't at its.
     float emission_power;
-    uint bsdf;  ///< Into `bsdfs`, by which paths scatter; NONE: by the above.
+    uint bsdf;      ///< Into `bsdfs`, by which paths scatter; NONE: by the above.
+    uint interior;  ///< If FEATURE_BODIES: what it encloses, into `interiors`; 0: nothing that bends light.
 };
 
 /// A reflection model of a material, for paths (kernel/bsdf). Kinds use what they need.
@@ -539,6 +542,7 @@ struct Interior {
     uint dispersion_samples;  ///< Colours that light is split into.
     /// If FEATURE_CAUSTICS: shadow rays are brightened by the cosine at its surfaces to this power; 0: not.
     float caustics;
+    vec3 attenuation;  ///< Of bodies (kernel/materials/body.h): light in it dims by exp(-attenuation * distance).
 };
 
 /// One layer: a pigment and a finish, with POV-Ray's meaning (reference, section 3.5.4). Colours linear.

@@ -100,6 +100,10 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
         if (FEATURE(FEATURE_BSDF)) {
             mask beyond = mask_and(rough, mask_and(behind, scatter.own));
             next.origin = select(beyond, s.position - s.geometric_normal * s.error, next.origin);
+            if (FEATURE(FEATURE_BODIES)) {
+                path.insides.inner = select(beyond, crossing.behind.inner, path.insides.inner);
+                path.insides.outer = select(beyond, crossing.behind.outer, path.insides.outer);
+            }
         }
         next.direction = select(rough, direction, next.direction);
         path.density = select(rough, density, path.density);
@@ -115,6 +119,8 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
             next.origin = select(through, s.position - s.geometric_normal * s.error, next.origin);
             if (FEATURE(FEATURE_VEILS)) {
                 mask straight = mask_and(through, mask_or(scatter.own, is_unbent(SCENE_ s, lobes, through)));
+                // Aimed rays don't pass there.
+                straight = mask_and(straight, mask_not(scatter.seamless));
                 path.density = select(straight, drawn_before, path.density);
                 path.passed = select(straight, passed_before, path.passed);
                 mask may_pass = path.vertices < word(FRAME.max_depth + MAX_SHADOW_SURFACES);
@@ -127,7 +133,7 @@ FN void scatter_path(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, L
                 carried = select(splits, carried * spectrum_light(path.spectrum), carried);
                 path.colored = mask_or(path.colored, splits);
             }
-            if (FEATURE(FEATURE_PATTERNED)) {
+            if (FEATURE(FEATURE_PATTERNED | FEATURE_BODIES)) {
                 path.insides.inner = select(through, crossing.behind.inner, path.insides.inner);
                 path.insides.outer = select(through, crossing.behind.outer, path.insides.outer);
             }
@@ -176,7 +182,7 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
     mask away = mask_and(own, dot(s.normal, path.ray.direction) > real(-1e-3f));
     s.normal = select(away, s.geometric_normal, s.normal);
     ShadingFrame around = frame_around(s.normal);
-    point = bsdf_at(SCENE_ s, own, path.spectrum, around);
+    point = bsdf_at(SCENE_ s, own, path.spectrum, lobes.eta, around);
     if (FEATURE(FEATURE_DISPERSION)) {
         mask splits = mask_and(own, FIELD(bsdfs, scatter.model, dispersion) > real(0.0f));
         splits = mask_and(splits, mask_not(path.colored));
@@ -187,6 +193,12 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
     basis.y = select(own, around.y, basis.y);
     basis.z = select(own, around.z, basis.z);
     real opacity = bsdf_opacity(SCENE_ s, scatter.model, own);
+    if (FEATURE(FEATURE_BODIES)) {
+        // Between what bends light alike facets have no normals.
+        scatter.seamless = mask_and(own, FIELD(materials, s.material, interior) != word(0u));
+        scatter.seamless = mask_and(scatter.seamless, abs(lobes.eta - 1.0f) < real(1e-4f));
+        opacity = select(scatter.seamless, real(0.0f), opacity);
+    }
     scatter.rough = select(own, opacity, scatter.rough);
     scatter.mirrored = select(own, real(0.0f), scatter.mirrored);
     scatter.through = select(own, 1.0f - opacity, scatter.through);
@@ -196,7 +208,7 @@ FN void take_bsdf(SCENE mask found, real distance, INOUT(TracedPath) path, INOUT
     lobes.eta = select(own, real(1.0f), lobes.eta);
     // Inside, light dims on its way.
     mask inside = mask_and(own, s.from_behind);
-    if (any_lane(inside)) {
+    if (!FEATURE(FEATURE_BODIES) && any_lane(inside)) {
         real3 rate = FIELD(bsdfs, scatter.model, attenuation) * (distance * -1.44269504f);
         real3 passes = real3(exp2_clamped(rate.x), exp2_clamped(rate.y), exp2_clamped(rate.z));
         path.weight = select(inside, path.weight * passes, path.weight);
@@ -248,6 +260,10 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     real3 dimmed = surface_met(SCENE_ path.ray, hit, path.insides, path.spectrum, found, s, lobes, layered, crossing,
                                smooth_normal);
     path.weight = path.weight * dimmed;
+    if (FEATURE(FEATURE_BODIES)) {
+        dimmed = body_transmittance(SCENE_ crossing, body_of(SCENE_ s, found), path.insides, hit.t);
+        path.weight = select(found, path.weight * dimmed, path.weight);
+    }
     if (FRAME.aovs != 0u) {
         mask is_first = mask_and(found, path.vertices == word(0u));
         first.t = select(is_first, hit.t, first.t);

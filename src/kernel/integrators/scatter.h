@@ -38,6 +38,7 @@ struct Scatter {
     mask own;                       ///< Rough directions are those of a reflection model of the material's own,
     word model;                     ///< number `model` of `bsdfs`,
     mask clear;                     ///< and light comes through it from behind.
+    mask seamless;                  ///< If FEATURE_BODIES: what it parts bends light alike, and rays pass straight.
     mask particle;                  ///< If FEATURE_MEDIA: this is no surface but a particle
     word phase;                     ///< of this type (phase_density),
     real eccentricity;              ///< and this shape.
@@ -112,6 +113,7 @@ FN Scatter scatter_of(SCENE Surface s, Lobes lobes, LARGE(LayerColors) layered, 
     scatter.own = mask_and(found, mask_not(found));
     scatter.clear = scatter.own;
     scatter.model = word(0u);
+    scatter.seamless = scatter.own;
     scatter.particle = scatter.own;
     scatter.phase = word(1u);
     scatter.eccentricity = real(0.0f);

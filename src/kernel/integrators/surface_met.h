@@ -3,6 +3,7 @@
 #ifndef SUNDOG_KERNEL_INTEGRATORS_SURFACE_MET_H
 #define SUNDOG_KERNEL_INTEGRATORS_SURFACE_MET_H
 
+#include "kernel/materials/body.h"
 #include "kernel/materials/bump.h"
 #include "kernel/materials/interior.h"
 #include "kernel/materials/layers.h"
@@ -18,7 +19,13 @@ FN real3 surface_met(SCENE Ray ray, Hit hit, Insides insides, real spectrum, mas
     real3 passes = real3(real(1.0f));
     s = surface_at(SCENE_ ray, hit, found);
     if (FEATURE(FEATURE_BUMP)) s.normal = bumped_normal(SCENE_ s);
-    lobes = evaluate_material(SCENE_ s, ray.direction);
+    if (FEATURE(FEATURE_BODIES)) {
+        word body = body_of(SCENE_ s, found);
+        crossing = body_crossing(s, body, insides);
+        lobes = evaluate_material_between(SCENE_ s, ray.direction, body_eta(SCENE_ crossing, body, insides));
+    } else {
+        lobes = evaluate_material(SCENE_ s, ray.direction);
+    }
     smooth_normal = s.normal;
     if (FEATURE(FEATURE_PATTERNED)) {
         word interior = interior_of(SCENE_ s, lobes.patterned);

@@ -162,7 +162,7 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
                     word reflected_depth = path.depth + word(DEPTH_UNITS);
                     word transmitted_depth = path.depth + select(straight, word(1u), word(DEPTH_UNITS));
                     Insides behind_insides = path.insides;
-                    if (FEATURE(FEATURE_PATTERNED)) behind_insides = crossing.behind;
+                    if (FEATURE(FEATURE_PATTERNED | FEATURE_BODIES)) behind_insides = crossing.behind;
                     real3 incoming = path.ray.direction;
                     Ray next = mirrored_ray(s, incoming);
                     if (FEATURE(FEATURE_TRANSPARENT)) {

@@ -195,8 +195,9 @@ FN Principled principled_at(SCENE Surface s, word model, mask here, real3 color,
 }
 
 /// The models of the lanes `here`, for light at a place in the spectrum; their frame's x is turned to where a surface
-/// is brushed along.
-FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(ShadingFrame) basis) {
+/// is brushed along. eta: index of refraction in front over the one behind, for all colours together, if
+/// FEATURE_BODIES.
+FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, real eta, INOUT(ShadingFrame) basis) {
     word model = valid_index(here, FIELD(materials, s.material, bsdf));
     BsdfPoint p;
     p.color = FIELD(bsdfs, model, color);
@@ -219,6 +220,12 @@ FN_LARGE BsdfPoint bsdf_at(SCENE Surface s, mask here, real spectrum, INOUT(Shad
     real ior = bsdf_ior(SCENE_ model, spectrum);
     p.eta = select(s.from_behind, ior, 1.0f / ior);
     p.principled = principled_at(SCENE_ s, model, here, p.color, ior, basis);
+    if (FEATURE(FEATURE_BODIES)) {
+        mask body = mask_and(here, FIELD(materials, s.material, interior) != word(0u));
+        real spread = ior / FIELD(bsdfs, model, ior);
+        p.eta = select(body, select(s.from_behind, eta * spread, eta / spread), p.eta);
+        p.principled.eta = select(body, p.eta, p.principled.eta);
+    }
     return p;
 }
 

@@ -149,8 +149,8 @@ FN void apply_textures(SCENE Surface s, word flags, INOUT(Lobes) lobes) {
     }
 }
 
-/// The material at a surface point, for a ray that comes along `incoming`.
-FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
+/// The material at a surface point, for a ray that comes along `incoming`; eta as in Lobes.
+FN Lobes evaluate_material_between(SCENE Surface s, real3 incoming, real eta) {
     Lobes lobes;
     word flags = FIELD(materials, s.material, flags);
     lobes.emission = FIELD(materials, s.material, emission);
@@ -165,14 +165,12 @@ FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
     }
     lobes.reflectance = real3(real(0.0f));
     lobes.transmittance = real3(real(0.0f));
-    lobes.eta = real(1.0f);
+    lobes.eta = eta;
     lobes.exponent = real(1.0f);
     lobes.patterned = (flags & word(MATERIAL_PATTERNED)) != word(0u);
     if (FEATURE(FEATURE_MIRRORS)) lobes.reflectance = FIELD(materials, s.material, reflectance);
     if (FEATURE(FEATURE_TRANSPARENT)) {
         lobes.transmittance = FIELD(materials, s.material, transmittance);
-        real ior = FIELD(materials, s.material, ior);
-        lobes.eta = select(s.from_behind, ior, 1.0f / ior);
     }
     if (FEATURE(FEATURE_TEXTURES)) {
         if (any_lane((flags & word(MATERIAL_TEXTURED)) != word(0u))) apply_textures(SCENE_ s, flags, lobes);
@@ -200,6 +198,16 @@ FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
     }
     lobes.albedo = lobes.diffuse;
     return lobes;
+}
+
+/// The same between the material and the open air.
+FN Lobes evaluate_material(SCENE Surface s, real3 incoming) {
+    real eta = real(1.0f);
+    if (FEATURE(FEATURE_TRANSPARENT)) {
+        real ior = FIELD(materials, s.material, ior);
+        eta = select(s.from_behind, ior, 1.0f / ior);
+    }
+    return evaluate_material_between(SCENE_ s, incoming, eta);
 }
 
 KERNEL_END

@@ -20,6 +20,8 @@ FN mask is_unbent(SCENE Surface s, Lobes lobes, mask alive) {
             straight = mask_and(straight, mask_or(mask_not(layered), unbent));
         }
     }
+    // A body's surface may be straight for some that come to it, and isn't for others.
+    if (FEATURE(FEATURE_BODIES)) straight = mask_and(straight, FIELD(materials, s.material, interior) == word(0u));
     return straight;
 }
 
