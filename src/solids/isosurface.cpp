@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "fields/function_evaluator.h"
 #include "solids/bounds_tree.h"
+#include "solids/lazy_cells.h"
 #include "solids/shape.h"
 
 namespace sundog::solids {
@@ -103,27 +105,35 @@ private:
         return g == Vec3d{} ? Vec3d{0, 1, 0} : g;
     }
 
+    enum class Content : std::uint8_t { outside, inside, unknown };
+    /// Whether all of a box is outside or inside of the surface.
+    [[nodiscard]] Content content_of(const Bounds3d& box, fields::RangeEvaluation<3>& ranges) const {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            ranges.set_input(axis, fields::input_range<3>(axis, box.lower[axis], box.upper[axis]));
+        ranges.run();
+        const Affine<3> value = ranges.output(0);
+        if (value.lower > s_.threshold) return Content::outside;
+        return value.upper < s_.threshold && !ranges.may_be_undefined() ? Content::inside : Content::unknown;
+    }
+
     /// Halves the container again and again, and keeps the boxes in which the surface may be.
     void explore() {
         fields::NoiseCells cells;
         fields::RangeEvaluation<3> ranges(function_, cells);
         // Costly functions and simple ones take about as long.
         const std::size_t cost = std::max<std::size_t>(s_.function->code.size(), 8);
-        std::size_t budget = std::clamp<std::size_t>(30'000 / cost, 300, 2'000);
+        std::size_t budget = std::clamp<std::size_t>(10'000 / cost, 100, 500);
         std::vector<Bounds3d> kept;
         std::deque<Bounds3d> open{box_};
-        const double smallest = size_ / 40;
+        const double smallest = size_ / 20;
         while (!open.empty()) {
             const Bounds3d box = open.front();
             open.pop_front();
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                ranges.set_input(axis, fields::input_range<3>(axis, box.lower[axis], box.upper[axis]));
-            ranges.run();
-            const Affine<3> value = ranges.output(0);
+            const Content content = content_of(box, ranges);
             if (budget > 0) --budget;
-            if (value.lower > s_.threshold) continue;
+            if (content == Content::outside) continue;
             reach_ = joined(reach_, box);
-            if (value.upper < s_.threshold && !ranges.may_be_undefined()) continue;
+            if (content == Content::inside) continue;
             std::size_t longest = 0;
             const Vec3d size = box.upper - box.lower;
             for (std::size_t axis = 1; axis < 3; ++axis)
@@ -138,6 +148,7 @@ private:
         }
         reach_ = padded(reach_);
         tree_ = BoundsTree(kept);
+        cells_ = LazyCells(kept.size());
         boxes_ = std::move(kept);
     }
 
@@ -153,6 +164,7 @@ private:
         fields::PigmentMemo pigments;
         fields::PointEvaluation points;
         fields::RangeEvaluation<1> ranges;
+        std::optional<fields::RangeEvaluation<3>> boxes;  ///< Made when it is needed.
         int budget = 2000;  ///< Bounds that may be asked for; after that, parts are taken by their ends.
 
         double value(double t) {
@@ -249,6 +261,12 @@ private:
         }
     }
 
+    /// One of `boxes_` on a ray's way.
+    struct BoxMet {
+        Range part;
+        std::uint32_t number;
+    };
+
     bool find(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
         const Range container = container_range(ray);
         if (!(container.lower < container.upper)) return false;
@@ -256,13 +274,13 @@ private:
         if (!(within.lower < within.upper)) return false;
         const double speed = length(ray.direction);
         const double gap = 1e-9 * size_ / speed;
-        SmallVector<Range, 32> parts;
+        SmallVector<BoxMet, 32> met;
         Range reach = within;
         tree_.along(ray, reach, [&](std::uint32_t i) {
             const Range part = clip(boxes_[i], ray, within);
-            if (!part.empty()) parts.push_back(part);
+            if (!part.empty()) met.push_back({part, i});
         });
-        std::sort(parts.begin(), parts.end(), [](const Range& p, const Range& q) { return p.lower < q.lower; });
+        std::sort(met.begin(), met.end(), [](const BoxMet& p, const BoxMet& q) { return p.part.lower < q.part.lower; });
 
         March march(*this, ray);
         bool inside = march.value(within.lower) < s_.threshold;
@@ -272,18 +290,39 @@ private:
             if (only_first && !s_.open) return false;
         }
         const std::size_t before = out.size();
-        for (std::size_t i = 0; i < parts.size();) {
-            Range part = parts[i];
-            for (++i; i < parts.size() && parts[i].lower <= part.upper + gap; ++i)
-                part.upper = std::max(part.upper, parts[i].upper);
+        // Parts that follow one another are looked at as one.
+        Range part{1, 0};
+        const auto look_at = [&] {
+            if (part.lower > part.upper) return false;
             // Between parts nothing changes: a part may begin a little early.
             part.lower = std::max(within.lower, part.lower - gap);
             part.upper = std::min(within.upper, part.upper + gap);
             const bool ends_inside = march.value(part.upper) < s_.threshold;
             isolate(march, {part.lower, part.upper, inside, ends_inside}, finest_ / speed, within, out, only_first);
-            if (only_first && out.size() > before) return starts_inside;
             inside = ends_inside;
+            return only_first && out.size() > before;
+        };
+        bool found = false;
+        const auto add = [&](const Range& next) {
+            if (found) return;
+            if (part.lower <= part.upper && next.lower <= part.upper + gap) {
+                part.upper = std::max(part.upper, next.upper);
+                return;
+            }
+            found = look_at();
+            part = next;
+        };
+        const auto may_hold = [&](const Bounds3d& cell) {
+            if (!march.boxes) march.boxes.emplace(function_, march.cells, &march.pigments);
+            return content_of(cell, *march.boxes) == Content::unknown;
+        };
+        for (const BoxMet& box : met) {
+            if (s_.function->pigments.empty())
+                cells_.along(box.number, boxes_[box.number], ray, box.part, may_hold, add);
+            else add(box.part);
+            if (found) return starts_inside;
         }
+        if (look_at()) return starts_inside;
         if (inside && range.contains(container.upper))
             out.push_back({container.upper, 0, 0, kContainer, true, !s_.open});
         return starts_inside;
@@ -295,6 +334,7 @@ private:
     double size_ = 1, finest_ = 1e-8;
     double exactness_ = 1e-10;     ///< Of places, as a share of the size.
     std::vector<Bounds3d> boxes_;  ///< Where the surface may be.
+    LazyCells cells_;              ///< Of each of them.
     BoundsTree tree_;
 };
 
