@@ -2,6 +2,7 @@
 #include "fields/host_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -120,20 +121,43 @@ private:
     int interpolation_;
 };
 
-class FunctionField {
+class FunctionField final : public HostField {
 public:
     FunctionField(const std::shared_ptr<const scene::Function>& function, std::span<const scene::Texture> textures)
-        : evaluator_(std::make_shared<const FunctionEvaluator>(function, textures)) {}
-    double operator()(const FieldPoint& point) const {
+        : evaluator_(function, textures) {}
+    [[nodiscard]] Vec3d at(const FieldPoint& point) const override {
+        Vec3d answer;
+        at_all(std::span(&point, 1), std::span(&answer, 1));
+        return answer;
+    }
+    void at_all(std::span<const FieldPoint> points, std::span<Vec3d> answers) const override {
+        if (evaluator_.pigments() != nullptr && points.size() > 1) return with_pigments(points, answers);
+        // Neighbours lie in the same cells of noise.
         NoiseCells cells;
-        PointEvaluation evaluation(*evaluator_, cells);
-        const double value = evaluation.value(std::array{point.position.x, point.position.y, point.position.z});
+        PointEvaluation evaluation(evaluator_, cells);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec3d& p = points[i].position;
+            answers[i] = {kept(evaluation.value(std::array{p.x, p.y, p.z})), 0, 0};
+        }
+    }
+
+private:
+    void with_pigments(std::span<const FieldPoint> points, std::span<Vec3d> answers) const {
+        std::vector<Vec3d> places;
+        places.reserve(points.size());
+        for (const FieldPoint& point : points) places.push_back(point.position);
+        PointsEvaluation evaluation(evaluator_, places);
+        for (Vec3d& answer : answers) {
+            std::uint64_t budget = FunctionEvaluator::kStepLimit;
+            answer = {kept(evaluation.next(budget).value_or(DoubleMath::unknown())), 0, 0};
+        }
+    }
+    static double kept(double value) {
         if (!std::isfinite(value)) return 0;
         return value > 1 ? std::fmod(value, 1.0) : value;
     }
 
-private:
-    std::shared_ptr<const FunctionEvaluator> evaluator_;
+    FunctionEvaluator evaluator_;
 };
 
 /// Which texture of a list a picture chooses.
@@ -184,7 +208,7 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
                 return fractal_value(form, point.position.x, point.position.y);
             });
         case Kind::function:
-            if (pattern.function) return field(FunctionField(pattern.function, textures));
+            if (pattern.function) return std::make_unique<FunctionField>(pattern.function, textures);
             break;
         case Kind::material:
             if (pattern.pigment) return field(MaterialField(pattern, textures));
@@ -213,12 +237,25 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
 
 std::unique_ptr<HostField> make_host_warp(const scene::Warp& warp) { return std::make_unique<WarpField>(warp); }
 
-kernel::vec3 HostFieldTable::at(kernel::uint index, const kernel::HostPoint& point) const {
+void HostFieldTable::at(kernel::uint index, std::span<const kernel::HostPoint> points,
+                        std::span<kernel::vec3> answers) const {
     const auto vec = [](kernel::vec3 v) {
         return Vec3d{static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
     };
-    const Vec3d answer = fields_[index]->at({vec(point.p), vec(point.normal), vec(point.direction), vec(point.world)});
-    return {static_cast<float>(answer.x), static_cast<float>(answer.y), static_cast<float>(answer.z)};
+    constexpr std::size_t kAtOnce = 16;
+    std::array<FieldPoint, kAtOnce> asked;
+    std::array<Vec3d, kAtOnce> found;
+    for (std::size_t first = 0; first < points.size(); first += kAtOnce) {
+        const std::size_t count = std::min(kAtOnce, points.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            const kernel::HostPoint& p = points[first + i];
+            asked[i] = {vec(p.p), vec(p.normal), vec(p.direction), vec(p.world)};
+        }
+        fields_[index]->at_all(std::span(asked.data(), count), std::span(found.data(), count));
+        for (std::size_t i = 0; i < count; ++i)
+            answers[first + i] = {static_cast<float>(found[i].x), static_cast<float>(found[i].y),
+                                  static_cast<float>(found[i].z)};
+    }
 }
 
 }  // namespace sundog::fields

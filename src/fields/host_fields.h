@@ -28,6 +28,10 @@ public:
     virtual ~HostField() = default;
     /// A field's value in x; a warp's point; what is added to a normal.
     [[nodiscard]] virtual Vec3d at(const FieldPoint& point) const = 0;
+    /// The same at many points, into as many of `answers`.
+    virtual void at_all(std::span<const FieldPoint> points, std::span<Vec3d> answers) const {
+        for (std::size_t i = 0; i < points.size(); ++i) answers[i] = at(points[i]);
+    }
 };
 
 /// True for patterns that are fields of the host's.
@@ -60,7 +64,8 @@ public:
     [[nodiscard]] bool needed() const { return needed_; }
     [[nodiscard]] const SourceLocation& first_where() const { return first_where_; }
 
-    [[nodiscard]] kernel::vec3 at(kernel::uint index, const kernel::HostPoint& point) const override;
+    void at(kernel::uint index, std::span<const kernel::HostPoint> points,
+            std::span<kernel::vec3> answers) const override;
 
 private:
     std::span<const scene::Texture> textures_;  ///< Of use only while fields are added.

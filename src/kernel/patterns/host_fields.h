@@ -4,6 +4,8 @@
 #ifndef SUNDOG_KERNEL_PATTERNS_HOST_FIELDS_H
 #define SUNDOG_KERNEL_PATTERNS_HOST_FIELDS_H
 
+#include <span>
+
 #include "kernel/compat/types.h"
 
 namespace sundog::kernel {
@@ -21,7 +23,8 @@ public:
     HostFields(const HostFields&) = delete;
     HostFields& operator=(const HostFields&) = delete;
     virtual ~HostFields() = default;
-    [[nodiscard]] virtual vec3 at(uint index, const HostPoint& point) const = 0;
+    /// What field number `index` answers at each of the points, into as many of `answers`.
+    virtual void at(uint index, std::span<const HostPoint> points, std::span<vec3> answers) const = 0;
 };
 
 }  // namespace sundog::kernel
