@@ -42,6 +42,20 @@ FN real3 layer_reflectance(Layer layer, real eta, mask enclosed, real3 color, re
     return r;
 }
 
+/// How a layer's thin film colours matt light, and what is mirrored (both cosines are then the eye's): waves that were
+/// thrown back at its top and at its bottom meet in or out of phase. The amounts are those of povray's pictures.
+FN real3 film_color(SCENE Layer layer, real3 p, real cos_light, real cos_eye) {
+    real thickness = real(layer.irid_thickness);
+    if (layer.irid_turbulence != 0.0f) {
+        real stirred = 1.05f + 4.0f * turbulence_scalar(p, 5u, 2.0f, 0.5f, 2u);
+        thickness = thickness * (1.0f + stirred * layer.irid_turbulence);
+    }
+    real way = 6.28318531f * thickness * (cos_light + cos_eye);
+    real3 phase = real3(cosine(way / real(FRAME.irid_wavelength.x)), cosine(way / real(FRAME.irid_wavelength.y)),
+                        cosine(way / real(FRAME.irid_wavelength.z)));
+    return real3(real(1.0f)) + phase * real(layer.irid);
+}
+
 /// Puts the textures of those lanes of `found` that have one into `lobes`, whose eta is set already, and their layers
 /// into `layered`. `enclosed`: see is_enclosed(). For a shadow ray, which goes straight on, nothing is thrown back by
 /// total internal reflection or kept by conserve_energy, as in povray.
@@ -72,6 +86,7 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, mask 
         real3 ambient = black;
         real3 albedo = black;
         real3 reflectance = black;
+        real3 film = real3(real(1.0f));
         real strongest = real(0.0f);
         mask in_part = here;     // Lanes that the part at hand of a patterned texture has a share in.
         real3 entering = above;  // What came to the first part,
@@ -147,7 +162,13 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, mask 
                     lobes.exponent = select(bends, real(layer.reflection_exponent), lobes.exponent);
                 }
             }
-            reflectance = reflectance + above * r;
+            if (layer.irid > 0.0f && !for_shadow) {
+                real cos_eye = abs(cos_layer);
+                film = film_color(SCENE_ layer, s.position, cos_eye, cos_eye);
+                reflectance = reflectance + above * r * film;
+            } else {
+                reflectance = reflectance + above * r;
+            }
             above = above * (c.rgb * c.filtered + real3(c.transmitted));
             if ((layer.flags & LAYER_CONSERVE_ENERGY) != 0u && !for_shadow)
                 above = above * max(real3(real(1.0f)) - r, black);
@@ -159,12 +180,13 @@ FN_LARGE void evaluate_layers(SCENE Surface s, real3 incoming, mask found, mask 
         lobes.emission = select(here, emission, lobes.emission);
         lobes.ambient = select(here, ambient, lobes.ambient);
         lobes.albedo = select(here, albedo, lobes.albedo);
-        // Total internal reflection throws back all light, as povray's pictures show, whatever the pigment is.
+        // Total internal reflection throws back all light, as povray's pictures show, whatever the pigment is; a film
+        // colours it.
         real cos_mirror = cos_in;
         if (FEATURE(FEATURE_NORMALS)) cos_mirror = -dot(layered.mirror, incoming);
         mask total = mask_and(is_total_reflection(cos_mirror, lobes.eta), mask(!for_shadow));
         total = mask_and(total, largest(above) > real(0.0f));
-        lobes.reflectance = select(here, select(total, real3(real(1.0f)), reflectance), lobes.reflectance);
+        lobes.reflectance = select(here, select(total, film, reflectance), lobes.reflectance);
         lobes.transmittance = select(here, select(total, black, above), lobes.transmittance);
     }
 }
@@ -175,20 +197,6 @@ FN mask light_reaches(SCENE uint group, word material, mask patterned_lanes) {
     word bits = GET(code, FIELD(patterned, index, light_set) + word(group / 32u));
     mask listed = ((bits >> (group % 32u)) & word(1u)) != word(0u);
     return select_mask(patterned_lanes, listed, mask(group == 0u));
-}
-
-/// How a layer's thin film colours matt light: waves that were thrown back at its top and at its bottom meet in or out
-/// of phase. The amounts are those of povray's pictures.
-FN real3 film_color(SCENE Layer layer, real3 p, real cos_light, real cos_eye) {
-    real thickness = real(layer.irid_thickness);
-    if (layer.irid_turbulence != 0.0f) {
-        real stirred = 1.05f + 4.0f * turbulence_scalar(p, 5u, 2.0f, 0.5f, 2u);
-        thickness = thickness * (1.0f + stirred * layer.irid_turbulence);
-    }
-    real way = 6.28318531f * thickness * (cos_light + cos_eye);
-    real3 phase = real3(cosine(way / real(FRAME.irid_wavelength.x)), cosine(way / real(FRAME.irid_wavelength.y)),
-                        cosine(way / real(FRAME.irid_wavelength.z)));
-    return real3(real(1.0f)) + phase * real(layer.irid);
 }
 
 /// Adds what one light does to the lanes of `lit` that have textures: to `base` matt light, to `highlight` highlights.
