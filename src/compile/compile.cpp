@@ -204,6 +204,11 @@ std::uint32_t hidden_from(const scene::Object& object, bool some_project, bool p
            (object.casts_shadow ? 0U : kernel::RAY_SHADOW) | (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
 }
 
+/// Bounds in the world, at first.
+Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
+    return scene::moves(object) ? transformed(scene::transform_at(object, 0), bounds) : bounds;
+}
+
 /// Lists the geometries of the scene's objects.
 class GeometryList {
 public:
@@ -234,9 +239,10 @@ public:
         if (!continues_run(part.geometry, object)) add(part.geometry, object);
         else out_.geometries.back().primitive_count += part.geometry.primitive_count;
     }
-    void add_bounds(const Bounds3& world) {
-        out_.bounds.include(world);
-        targets_.add_bounds(object_, world);
+    /// Of the geometry that was added last, in the object's space.
+    void add_bounds(const Bounds3& bounds, const scene::Object& object) {
+        out_.bounds.include(world_bounds_of(object, bounds));
+        targets_.add_bounds(object_, bounds, out_.geometries.back().instance);
     }
     void finish(const WarningSink& warn) { targets_.finish(warn); }
     [[nodiscard]] bool moving() const { return instance_count_ > 0; }
@@ -277,17 +283,6 @@ Bounds3 bounds_of(const scene::Object& object) {
         bounds.include(box->upper);
     }
     return bounds;
-}
-
-Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
-    if (!scene::moves(object) || bounds.empty()) return bounds;
-    const Affine3 world_from_object = scene::transform_at(object, 0);
-    Bounds3 world;
-    for (unsigned corner = 0; corner < 8; ++corner)
-        world.include(transform_point(world_from_object, {(corner & 1U) ? bounds.upper.x : bounds.lower.x,
-                                                          (corner & 2U) ? bounds.upper.y : bounds.lower.y,
-                                                          (corner & 4U) ? bounds.upper.z : bounds.lower.z}));
-    return world;
 }
 
 bool has_map(const RenderScene& scene, const kernel::Bsdf& bsdf, std::uint32_t which) {
@@ -375,7 +370,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
             append_solid(scene, object, **solid, attributes, *out, warn, [&](const SolidPart& part) {
                 list.add(part, object);
-                list.add_bounds(world_bounds_of(object, part.bounds));
+                list.add_bounds(part.bounds, object);
             });
             continue;
         }
@@ -383,7 +378,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         if (geometry.primitive_count == 0) continue;
         note_one_sided(object, geometry, *out);
         list.add(geometry, object);
-        list.add_bounds(world_bounds_of(object, bounds_of(object)));
+        list.add_bounds(bounds_of(object), object);
     }
     list.finish(warn);
     find_shining(*out);
