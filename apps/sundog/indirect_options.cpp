@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "arguments.h"
+#include "scene/indirect_light.h"
 #include "usage_error.h"
 
 namespace sundog::app {
@@ -41,24 +42,19 @@ void IndirectArguments::apply(scene::Scene& scene) const {
         if (*photons == 0) {
             scene.photons.reset();
         } else {
-            scene::Photons& p = scene.photons ? *scene.photons : scene.photons.emplace();
-            p.count = *photons;
-            p.spacing = 0;
-            p.loaded.reset();
-            p.find_targets = true;
+            if (!scene.photons) scene.photons = scene::photons_for(*photons);
+            // Those objects that the scene marks are shot at, if there are any.
+            scene.photons->find_targets = true;
+            scene.photons->count = *photons;
+            scene.photons->spacing = 0;
+            scene.photons->loaded.reset();
         }
     }
     if (radiosity) {
         if (*radiosity == 0) {
             scene.radiosity.reset();
         } else {
-            if (!scene.radiosity) {
-                scene::Radiosity& r = scene.radiosity.emplace();
-                // Finer than POV-Ray's defaults, which are meant for a quick look.
-                r.recursion_limit = 4;
-                r.error_bound = 0.5F;
-                r.pretrace_end = 0.02F;
-            }
+            if (!scene.radiosity) scene.radiosity = scene::radiosity_for(*radiosity);
             scene.radiosity->count = *radiosity;
         }
     }

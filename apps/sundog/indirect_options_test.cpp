@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/shared.h"
+
 namespace sundog::app {
 namespace {
 

@@ -37,6 +37,11 @@ std::uint8_t use_of(const RenderScene& scene, const kernel::Material& m) {
     bool shows = largest(m.diffuse) > 0;
     float mirrors = largest(m.reflectance);
     float ior = m.ior;
+    const bool passes = (m.flags & kernel::MATERIAL_TRANSPARENT) != 0;
+    if (passes && (m.flags & kernel::MATERIAL_FRESNEL) != 0) {
+        const float root = (ior - 1) / (ior + 1);
+        mirrors *= root * root;
+    }
     if ((m.flags & kernel::MATERIAL_PATTERNED) != 0) {
         const kernel::PatternedMaterial& patterned = scene.patterned[m.patterned];
         shows = true;
@@ -45,7 +50,7 @@ std::uint8_t use_of(const RenderScene& scene, const kernel::Material& m) {
             mirrors = std::max(mirrors, largest(scene.layers[patterned.first_layer + i].reflection_max));
     }
     // What light passes straight through is the shadow rays' business.
-    const bool refracts = (m.flags & kernel::MATERIAL_TRANSPARENT) != 0 && ior != 1;
+    const bool refracts = passes && ior != 1;
     const bool reflects = mirrors >= (refracts ? 1e-3F : kLeastMirror);
     return static_cast<std::uint8_t>((reflects ? kernel::PHOTONS_REFLECT : 0U) |
                                      (refracts ? kernel::PHOTONS_REFRACT : 0U) |

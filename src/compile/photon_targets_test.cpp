@@ -18,6 +18,7 @@ scene::Material mirror(float reflectance) {
 scene::Material glass(float ior) {
     scene::Material m;
     m.mtl->diffuse = {0, 0, 0};
+    m.mtl->specular = {1, 1, 1};
     m.mtl->opacity = 0.1F;
     m.mtl->ior = ior;
     m.mtl->illum = 7;
@@ -128,8 +129,9 @@ TEST_F(FoundTargets, TheyMove) {
 // Objects of one name in a row are one geometry, so that millions of them can be drawn. Catches each becoming its own.
 TEST_F(FoundTargets, ARowOfOneNameIsOneTarget) {
     for (int i = 0; i < 3; ++i) {
-        add(scene::Sphere{{static_cast<float>(4 * i), 0, 0}, 1}, glass(1.5F)).name = "drop";
-        scene_.objects.back().material = 0;
+        auto drop = std::make_shared<scene::Solid>();
+        drop->shape = scene::SolidSphere{{4.0 * i, 0, 0}, 1};
+        add(std::shared_ptr<const scene::Solid>(std::move(drop)), glass(1.5F)).name = "drop";
     }
     const auto compiled = compile(scene_, {});
     EXPECT_EQ(compiled->geometries.size(), 1U);

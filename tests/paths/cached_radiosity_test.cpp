@@ -6,6 +6,7 @@
 #include "base/test_folder.h"
 #include "estimate.h"
 #include "import/import.h"
+#include "scene/indirect_light.h"
 
 namespace sundog {
 namespace {
@@ -20,11 +21,7 @@ protected:
         s.radiosity.reset();
         const PathMeans reference(*device_, s, options, samples, regions);
         const Film ambient = render_on(*device_, s, options, 16).film;
-        s.radiosity.emplace();
-        s.radiosity->count = 400;
-        s.radiosity->recursion_limit = 8;
-        s.radiosity->error_bound = 0.5F;
-        s.radiosity->pretrace_end = 0.02F;
+        s.radiosity = scene::radiosity_for(400);
         reference.expect_near(render_on(*device_, s, options, 16).film, regions, share);
         float off = 0;
         for (std::size_t k = 0; k < regions.size(); ++k)

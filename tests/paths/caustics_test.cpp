@@ -9,6 +9,7 @@
 #include "base/test_folder.h"
 #include "estimate.h"
 #include "import/import.h"
+#include "scene/indirect_light.h"
 
 namespace sundog {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using namespace test;
 
 /// The half angle at which a surface sees what stands for a light, about.
-constexpr float kHalfAngle = 0.06F;
+constexpr float kHalfAngle = 0.12F;
 
 /// The scene with a ball in place of each light, which must be suns or lamps that fade by the square of the distance.
 scene::Scene with_balls(scene::Scene s, float from_lamp) {
@@ -32,12 +33,6 @@ scene::Scene with_balls(scene::Scene s, float from_lamp) {
     }
     s.lights.clear();
     return s;
-}
-
-void shoot(scene::Scene& s, int count) {
-    s.photons.emplace();
-    s.photons->count = count;
-    s.photons->find_targets = true;
 }
 
 /// From `eye` to `at`, `half` the window's height one unit away; z is up.
@@ -70,12 +65,14 @@ protected:
         options.min_weight = 0;
         const PathMeans reference(*device_, with_balls(s, from_lamp), options, samples, regions);
         const Film without = picture(s, options);
-        shoot(s, 400'000);
+        s.photons = scene::photons_for(400'000);
         const Film with = picture(s, options);
         reference.expect_near(with, regions, share);
         // Else photons needn't have brought anything.
-        const float off = std::abs(mean_of(without, regions[1]).y / reference.mean(1).y - 1);
-        EXPECT_GT(off, 0.2F) << "shadow rays alone";
+        float off = 0;
+        for (std::size_t k = 0; k < regions.size(); ++k)
+            off = std::max(off, std::abs(mean_of(without, regions[k]).y / reference.mean(k).y - 1));
+        EXPECT_GT(off, 3 * share) << "shadow rays alone";
     }
 
     std::unique_ptr<Device> device_ = make_cpu_device({.threads = 2});
@@ -87,24 +84,27 @@ protected:
 TEST_F(Caustics, ABallOfMtlGlass) {
     const TestFolder folder;
     folder.write("screen.mtl",
-                 "newmtl screen\nKd 0.03 0.03 0.03\nillum 1\n"
+                 "newmtl screen\nKd 0.7 0.7 0.7\nillum 1\n"
                  "newmtl glass\nKd 0 0 0\nKs 1 1 1\nNi 1.5\nd 0.05\nTf 0.98 0.9 0.6\nillum 7\n");
     folder.write("screen.obj",
                  "mtllib screen.mtl\no screen\nusemtl screen\n"
                  "v -6 4 -6\nv 6 4 -6\nv 6 4 6\nv -6 4 6\nf 1 2 3 4\n");
     const std::filesystem::path file = folder.write("ball.scene",
-                                                    "model = screen.obj\nsphere = ball glass 0 2.5 0 0.5\n"
+                                                    "focus = 12\nrotX = const 0\nrotZ = const 0\ndistance = 0\norigin "
+                                                    "= 0 0 0\nmodel = screen.obj\nsphere = ball glass 0 2.9 0 0.5\n"
                                                     "light = sun const\nlightPos = 0.1 -1 0.05\n");
     FrameOptions options;
     options.camera = camera({-2.5F, 1.5F, 0}, {0, 4, 0}, 0.24F);
-    compare(import::import_scene(file, {}), options, kRegions, 1500, 0.04F);
+    scene::Scene s = import::import_scene(file, {});
+    s.ambient = {0, 0, 0};
+    compare(std::move(s), options, kRegions, 1800, 0.05F);
 }
 
 // The same by a lamp that fades, close by: its rays spread. Catches photons that grow by the way that they go although
 // their light fades.
 TEST_F(Caustics, ALampThatFades) {
     scene::Scene s = empty_scene();
-    const scene::Index screen = add_material(s, matt({0.03F, 0.03F, 0.03F}));
+    const scene::Index screen = add_material(s, matt({0.7F, 0.7F, 0.7F}));
     add_quad(s, {-6, 4, -6}, {6, 4, -6}, {6, 4, 6}, {-6, 4, 6}, screen);
     scene::Material glass = glowing_mirror({0, 0, 0}, {1, 1, 1});
     glass.mtl->illum = 7;
@@ -114,7 +114,7 @@ TEST_F(Caustics, ALampThatFades) {
     s.lights[0].fade_power = 2;
     FrameOptions options;
     options.camera = camera({-2.5F, 2, 0}, {0, 4, 0}, 0.24F);
-    compare(s, options, kRegions, 1500, 0.04F, 2);
+    compare(s, options, kRegions, 1800, 0.05F, 2);
 }
 
 /// A cylinder's inside, of quadrilaterals, standing on the floor z = -1 around (0, 3).
@@ -137,26 +137,34 @@ scene::Mesh ring(scene::Index material) {
 // A ring of gold on a floor. Catches mirrors that aren't shot at, and colours that they don't give to photons.
 TEST_F(Caustics, AMirroringRing) {
     scene::Scene s = empty_scene();
-    const scene::Index floor = add_material(s, matt({0.03F, 0.03F, 0.03F}));
+    // So dark that what it sees of itself in the ring doesn't count.
+    const scene::Index floor = add_material(s, matt({0.05F, 0.05F, 0.05F}));
     add_quad(s, {-6, -3, -1}, {6, -3, -1}, {6, 9, -1}, {-6, 9, -1}, floor);
     const scene::Index gold = add_material(s, glowing_mirror({0, 0, 0}, {0.9F, 0.7F, 0.3F}));
     add_shape(s, ring(gold), gold);
     add_light(s, scene::Light::Kind::sun, {1, 0.3F, 0.8F});
     FrameOptions options;
     options.camera = camera({0, 2.9F, 6}, {0, 3, -1}, 0.13F);
-    compare(s, options, kRegions, 800, 0.04F);
+    // What is left out lies in the dark behind the ring, where some light is gathered from before it.
+    compare(s, options, {{"all", 0, 16, 0, 16}, {"caustic", 0, 5, 2, 14}, {"middle", 5, 11, 5, 11}}, 1600, 0.04F);
 }
 
 // The gallery's glTF glass: a ball with a volume that colours light, a thin pane and a coated ball, under a sun.
-// Catches a principled surface's glass that isn't shot at, and its thin walls if they are.
+// Catches a principled surface's glass that isn't shot at, and its thin walls if they are. Here, as to the eye, light
+// is coloured by the volume's thickness, in paths by the way that it goes: hence a little more tolerance.
 TEST_F(Caustics, GltfGlass) {
     scene::Scene s = import::import_scene(std::filesystem::path(SUNDOG_SCENES) / "gltf/glass.gltf", {});
-    s.sky = {0, 0, 0};
-    // Other light than the sun's adds nothing to what is compared here.
-    for (scene::Material& m : s.materials)
-        if (!(m.principled->transmission > 0)) m.principled->base_color = m.principled->base_color * 0.05F;
+    s.sky = s.ambient = {0, 0, 0};
+    // Matt, which all integrators see alike, and so dark that light between surfaces adds little.
+    for (scene::Material& m : s.materials) {
+        if (m.principled->transmission > 0) continue;
+        m.principled->base_color = m.principled->base_color * 0.2F;
+        m.principled->specular = m.principled->clearcoat = 0;
+        m.principled->roughness = 1;
+    }
     FrameOptions options;
-    compare(std::move(s), options, kRegions, 1500, 0.05F);
+    options.camera = camera({-2.2F, 2, 2.2F}, {-1.29F, 0.41F, 0}, 0.27F);
+    compare(std::move(s), options, kRegions, 2000, 0.06F);
 }
 
 }  // namespace

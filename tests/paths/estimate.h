@@ -46,15 +46,15 @@ public:
                     std::sqrt(std::max(errors_[k][c] - means_[k][c] * means_[k][c], 0.0F) / (kPictures - 1));
     }
 
-    /// Holds a picture's region to within `share` of the reference, and four standard errors of that, which must
+    /// Holds a picture's region to within `share` of the reference, and three standard errors of that, which must
     /// themselves be small beside what is allowed.
     void expect_near(const Film& film, const std::vector<Region>& regions, float share) const {
         for (std::size_t k = 0; k < regions.size(); ++k) {
             const Vec3 mean = mean_of(film, regions[k]);
             for (std::size_t c = 0; c < 3; ++c) {
                 SCOPED_TRACE(regions[k].name + ", channel " + std::to_string(c));
-                EXPECT_LT(4 * errors_[k][c], share * means_[k][c]) << "the reference is too noisy";
-                EXPECT_NEAR(mean[c] / means_[k][c], 1, share + 4 * errors_[k][c] / means_[k][c]) << mean[c];
+                EXPECT_LT(3 * errors_[k][c], share * means_[k][c]) << "the reference is too noisy";
+                EXPECT_NEAR(mean[c] / means_[k][c], 1, share + 3 * errors_[k][c] / means_[k][c]) << mean[c];
             }
         }
     }
