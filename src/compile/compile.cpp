@@ -197,11 +197,11 @@ private:
 };
 
 /// Which rays don't see an object. Where `some_project`, some rays see only objects that lights are projected through.
-std::uint32_t hidden_from(const scene::Object& object, bool some_project, bool photons) {
+std::uint32_t hidden_from(const scene::Object& object, bool some_project) {
     if (object.projects > 0) return ~(kernel::RAY_PROJECTION << (object.projects - 1));
     return (some_project ? kernel::RAY_ANY_PROJECTION : 0U) | (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
-           (photons ? hidden_from_photons(object) : 0U) | (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) |
-           (object.casts_shadow ? 0U : kernel::RAY_SHADOW) | (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
+           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW) |
+           (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
 }
 
 /// Bounds in the world, at first.
@@ -215,15 +215,14 @@ public:
     GeometryList(const scene::Scene& scene, RenderScene& out)
         : out_(out),
           targets_(scene, out),
-          photons_(scene.photons.has_value()),
           some_project_(std::any_of(scene.objects.begin(), scene.objects.end(),
                                     [](const scene::Object& object) { return object.projects > 0; })) {}
 
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
         if (scene::moves(object)) geometry.instance = instance_count_++;
-        geometry.hidden_from = hidden_from(object, some_project_, photons_);
-        if (photons_) geometry.photons = targets_.photons_of(object_);
+        geometry.hidden_from = hidden_from_rays(object);
+        geometry.photons = targets_.photons_of(object_);
         out_.geometries.push_back(geometry);
         out_.geometry_names.push_back(object.name);
         out_.geometry_objects.push_back(object_);
@@ -256,13 +255,14 @@ private:
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
                last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
-               last.hidden_from == hidden_from(object, some_project_, photons_) &&
-               (!photons_ || last.photons == targets_.photons_of(object_));
+               last.hidden_from == hidden_from_rays(object) && last.photons == targets_.photons_of(object_);
+    }
+    [[nodiscard]] std::uint32_t hidden_from_rays(const scene::Object& object) const {
+        return hidden_from(object, some_project_) | (object.projects == 0 ? targets_.hidden_from(object_) : 0U);
     }
 
     RenderScene& out_;
     PhotonTargets targets_;
-    bool photons_;
     bool some_project_;
     std::uint32_t object_ = 0;
     std::uint32_t instance_count_ = 0;

@@ -16,11 +16,14 @@ constexpr float kLeastMirror = 0.1F;
 /// Of targets that are found, so many at most are shot at one by one.
 constexpr std::size_t kMostFound = 256;
 
-/// Photons don't see such an object on their way to what they are shot at. As in povray, what the camera doesn't see
-/// photons don't see either.
-bool is_passed(const scene::Object& object) {
-    return object.photons->pass_through.value_or(!object.casts_shadow) || !object.seen_by_camera;
-}
+/// What a material does with light.
+enum MaterialUse : std::uint8_t {
+    kReflects = 1,
+    kRefracts = 2,
+    kShows = 4,         ///< Photons light it.
+    kLetsStraight = 8,  ///< Light passes it straight on,
+    kStops = 16,        ///< or much of it doesn't pass.
+};
 
 std::uint32_t object_flags(const scene::ObjectPhotons& photons) {
     return (photons.refraction == PhotonSwitch::on ? kernel::PHOTONS_REFRACT : 0U) |
@@ -32,7 +35,7 @@ std::uint32_t object_flags(const scene::ObjectPhotons& photons) {
 
 float largest(const kernel::vec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// PHOTONS_REFLECT and PHOTONS_REFRACT by what a material does with light, PHOTONS_COLLECT if photons show on it.
+/// MaterialUse bits.
 std::uint8_t use_of(const RenderScene& scene, const kernel::Material& m) {
     bool shows = largest(m.diffuse) > 0;
     float mirrors = largest(m.reflectance);
@@ -52,19 +55,16 @@ std::uint8_t use_of(const RenderScene& scene, const kernel::Material& m) {
     // What light passes straight through is the shadow rays' business.
     const bool refracts = passes && ior != 1;
     const bool reflects = mirrors >= (refracts ? 1e-3F : kLeastMirror);
-    return static_cast<std::uint8_t>((reflects ? kernel::PHOTONS_REFLECT : 0U) |
-                                     (refracts ? kernel::PHOTONS_REFRACT : 0U) |
-                                     (shows ? kernel::PHOTONS_COLLECT : 0U));
+    const bool straight = passes && ior == 1;
+    // Nearer to all than to nothing.
+    const bool mostly = largest(m.transmittance) >= 0.5F &&
+                        scene.material_maps[m.maps].opacity.texture == kernel::NONE &&
+                        (m.flags & kernel::MATERIAL_VERTEX_ALPHA) == 0;
+    return static_cast<std::uint8_t>((reflects ? kReflects : 0U) | (refracts ? kRefracts : 0U) | (shows ? kShows : 0U) |
+                                     (straight ? kLetsStraight : 0U) | (straight && mostly ? 0U : kStops));
 }
 
 }  // namespace
-
-std::uint32_t hidden_from_photons(const scene::Object& object) {
-    if (!is_passed(object)) return 0;
-    // pass_through is for the way to a target alone; what casts no shadow is not there for the rest of it either.
-    const bool altogether = !object.casts_shadow || !object.seen_by_camera;
-    return kernel::RAY_PHOTON | (altogether ? kernel::RAY_LATER_PHOTON : 0U);
-}
 
 std::uint32_t photon_flags(const scene::LightPhotons& photons) {
     return (photons.refraction == PhotonSwitch::on ? kernel::LIGHT_PHOTONS_REFRACT : 0U) |
@@ -82,8 +82,9 @@ PhotonTargets::PhotonTargets(const scene::Scene& scene, RenderScene& out) : scen
     std::map<std::uint32_t, std::uint32_t> wholes;
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
         const scene::Object& object = scene.objects[i];
-        const scene::ObjectPhotons& photons = found_.empty() ? *object.photons : found_[i];
-        if (!photons.target || is_passed(object) || object.projects > 0 || out.photon_targets.size() == kMost) continue;
+        const auto number = static_cast<std::uint32_t>(i);
+        const scene::ObjectPhotons& photons = photons_at(number);
+        if (!photons.target || is_passed(number) || object.projects > 0 || out.photon_targets.size() == kMost) continue;
         const auto next = static_cast<std::uint32_t>(out.photon_targets.size() + 1);
         numbers_[i] = photons.whole == 0 ? next : wholes.try_emplace(photons.whole, next).first->second;
         if (numbers_[i] == next) out.photon_targets.push_back({{}, {}, photons.spacing, object_flags(photons)});
@@ -108,13 +109,17 @@ void PhotonTargets::find_targets() {
             if (material < material_uses_.size()) uses |= material_uses_[material];
         });
         scene::ObjectPhotons photons = *object.photons;
-        const bool reflects = (uses & kernel::PHOTONS_REFLECT) != 0 && photons.reflection != PhotonSwitch::off;
-        const bool refracts = (uses & kernel::PHOTONS_REFRACT) != 0 && photons.refraction != PhotonSwitch::off;
         // What an object says of itself holds.
+        const bool reflects = (uses & kReflects) != 0 && photons.reflection != PhotonSwitch::off;
+        const bool refracts = (uses & kRefracts) != 0 && photons.refraction != PhotonSwitch::off;
+        const bool lets_straight = (uses & kLetsStraight) != 0 && photons.refraction != PhotonSwitch::off;
         photons.target = reflects || refracts;
         if (reflects) photons.reflection = PhotonSwitch::on;
-        if (refracts) photons.refraction = PhotonSwitch::on;
-        photons.collect = photons.collect && (uses & kernel::PHOTONS_COLLECT) != 0;
+        if (refracts || lets_straight) photons.refraction = PhotonSwitch::on;
+        photons.collect = photons.collect && (uses & kShows) != 0;
+        // Panes in the way to a target let photons pass: untinted, for those that meet anything else first are dropped.
+        if (lets_straight && (uses & kStops) == 0 && !photons.target && !photons.pass_through)
+            photons.pass_through = true;
         if (photons.target) {
             // What goes by one name is one thing, as GeometryList has it; and there are not too many of them.
             const scene::Object* before = found_.empty() ? nullptr : &object - 1;
@@ -126,10 +131,27 @@ void PhotonTargets::find_targets() {
     }
 }
 
+const scene::ObjectPhotons& PhotonTargets::photons_at(std::uint32_t object) const {
+    return found_.empty() ? *scene_.objects[object].photons : found_[object];
+}
+
+bool PhotonTargets::is_passed(std::uint32_t number) const {
+    const scene::Object& object = scene_.objects[number];
+    // As in povray, what the camera doesn't see photons don't see either.
+    return photons_at(number).pass_through.value_or(!object.casts_shadow) || !object.seen_by_camera;
+}
+
+std::uint32_t PhotonTargets::hidden_from(std::uint32_t number) const {
+    if (numbers_.empty() || !is_passed(number)) return 0;
+    // pass_through is for the way to a target alone; what casts no shadow is not there for the rest of it either.
+    const scene::Object& object = scene_.objects[number];
+    const bool altogether = !object.casts_shadow || !object.seen_by_camera;
+    return kernel::RAY_PHOTON | (altogether ? kernel::RAY_LATER_PHOTON : 0U);
+}
+
 std::uint32_t PhotonTargets::photons_of(std::uint32_t object) const {
     if (numbers_.empty()) return 0;
-    const scene::ObjectPhotons& photons = found_.empty() ? *scene_.objects[object].photons : found_[object];
-    return object_flags(photons) | numbers_[object] << kernel::PHOTONS_TARGET_SHIFT;
+    return object_flags(photons_at(object)) | numbers_[object] << kernel::PHOTONS_TARGET_SHIFT;
 }
 
 void PhotonTargets::add_bounds(std::uint32_t object, const Bounds3& bounds, std::uint32_t instance) {
@@ -145,7 +167,7 @@ void PhotonTargets::add_bounds(std::uint32_t object, const Bounds3& bounds, std:
         // A room and the glass in it may be one mesh.
         met = {};
         for (const scene::Mesh::Triangle& t : (*mesh)->triangles) {
-            if ((material_uses_[t.material] & (kernel::PHOTONS_REFLECT | kernel::PHOTONS_REFRACT)) == 0) continue;
+            if ((material_uses_[t.material] & (kReflects | kRefracts)) == 0) continue;
             for (const std::uint32_t p : t.position) met.include((*mesh)->positions[p]);
         }
     }

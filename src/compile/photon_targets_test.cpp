@@ -78,10 +78,25 @@ TEST_F(FoundTargets, MaterialsSayWhatIsShotAt) {
     EXPECT_EQ(use_of(mirror(0.5F)), Use(kReflects | kCollects, true));
     EXPECT_EQ(use_of(mirror(0.05F)), Use(kCollects, false)) << "too weak a mirror";
     EXPECT_EQ(use_of(glass(1.5F)), Use(kReflects | kRefracts, true));
-    EXPECT_EQ(use_of(glass(1)), Use(0, false)) << "nothing is bent";
+    EXPECT_EQ(use_of(glass(1)), Use(kRefracts, false)) << "nothing is bent: others' photons pass it";
     EXPECT_EQ(use_of(principled(0, 0, 0)), Use(kCollects, false)) << "gloss";
     EXPECT_EQ(use_of(principled(0, 1, 1)), Use(kReflects | kRefracts, true));
     EXPECT_EQ(use_of(principled(0, 1, 0)).second, false) << "a thin wall";
+}
+
+// Catches panes that keep photons from what they are shot at; leaves, which are cut out of such, do.
+TEST_F(FoundTargets, PanesAreInNobodysWay) {
+    add_ball(glass(1));
+    EXPECT_NE(compile(scene_, {})->geometries.back().hidden_from & kernel::RAY_PHOTON, 0U);
+    EXPECT_EQ(compile(scene_, {})->geometries.back().hidden_from & kernel::RAY_LATER_PHOTON, 0U);
+    scene_.textures.emplace_back();
+    scene_.textures.back().width = scene_.textures.back().height = 1;
+    scene_.textures.back().rgba8 = {0x80808080U};
+    scene::Material leaf;
+    leaf.mtl->map_opacity.texture = 0;
+    add_ball(leaf);
+    EXPECT_EQ(compile(scene_, {})->geometries.back().hidden_from, 0U);
+    EXPECT_EQ(last(), std::pair(kRefracts | kCollects, false));
 }
 
 // Catches a scene's word on its objects that is overruled.
