@@ -32,16 +32,16 @@ _sundog() {
     --size) mapfile -t COMPREPLY < <(compgen -W "640x480 1280x720 1920x1080 3840x2160" -- "$word"); return ;;
     --allow-write) mapfile -t COMPREPLY < <(compgen -d -- "$word"); compopt -o filenames; return ;;
     -o | --output | --environment) mapfile -t COMPREPLY < <(compgen -f -- "$word"); compopt -o filenames; return ;;
-    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --patch | --variant | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --turntable | --pixel | --gain | --rounds)
+    --max-steps | --max-memory | --threads | --spp | --preview | --filter-radius | --adaptive | --adaptive-depth | --target-error | --time-limit | --refine | --max-depth | --min-weight | --time | --patch | --variant | --frames | --fps | --exposure | --white-point | --white-balance | --environment-turn | --environment-gain | --sky | --photons | --radiosity | --radiosity-bounces | --radiosity-error | --turntable | --pixel | --gain | --rounds)
       return ;;
   esac
   local options="--help" files=""
   case $command in
     render)
       options+=" --variant --output --format --size --device --threads --accel --show --spp --sampler --filter --filter-radius --preview --preview-method --adaptive --adaptive-method --adaptive-depth --adaptive-by --target-error --time-limit --max-depth --min-weight --shadows --no-shadows"
-      options+=" --time --shutter --shutter-blur --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --integrator --seed --clamp --occlusion-distance --aperture --focus --focus-pixel --blades --lens-blur --camera --turntable --pixel --denoise --denoiser --quiet"
+      options+=" --time --shutter --shutter-blur --frames --fps --exposure --tone-map --white-point --white-balance --environment --environment-turn --environment-gain --sky --aov --photons --radiosity --radiosity-bounces --radiosity-error --integrator --seed --clamp --occlusion-distance --aperture --focus --focus-pixel --blades --lens-blur --camera --turntable --pixel --denoise --denoiser --quiet"
       files='@(scene|obj|gltf|glb|conf)' ;;
-    view) options+=" --variant --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
+    view) options+=" --variant --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --photons --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
     info) options+=" --variant --devices --all"; files='@(scene|obj|gltf|glb|conf)' ;;
     bake) options+=" --output --patch --spp --max-depth --time --seed --threads --quiet"; files='@(scene|obj|gltf|glb|conf|pov)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;

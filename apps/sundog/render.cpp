@@ -24,6 +24,7 @@ constexpr const char* kExamples =
     "  sundog render table.scene -o turn-%04d.png --frames 0..249\n"
     "  sundog render table.scene -o table.exr --aov depth,normal\n"
     "  sundog render table.scene -o table.png --spp 16 --denoise\n"
+    "  sundog render glass.scene -o glass.png --photons 500000 --spp 9\n"
     "  sundog render table.scene -o table.png --tone-map agx --exposure 0.5\n"
     "  sundog render table.scene -o - --size 320x240 | display\n"
     "Ctrl-C writes what is done. Exit status: 0 done, 1 bad input, 2 bad usage, 3 could not write, 130 interrupted.";
@@ -100,6 +101,7 @@ int render(RenderArguments arguments) {
     arguments.sampling.check();
     arguments.environment.check();
     arguments.light.check();
+    arguments.indirect.check(arguments.light.integrator, arguments.device);
     if (arguments.sampling.preview && (arguments.aovs.planes & ~kernel::AOV_COST) != 0)
         throw UsageError("--preview has no layers but samples and cost, which is 0 where a pixel is interpolated");
     if (arguments.sampling.way() == Way::recursive && arguments.aovs.planes != 0)
@@ -111,6 +113,7 @@ int render(RenderArguments arguments) {
     arguments.blur.check(arguments);
     check_primary(arguments);
     arguments.device = device_for(arguments.acceleration, arguments.device);  // structures are chosen for the CPU
+    arguments.device = arguments.indirect.device_for(arguments.device);
     if (arguments.output.empty() && !arguments.pixel)
         throw UsageError("nothing says where the picture goes", "for example -o picture.png");
     if (arguments.turntable) {
@@ -143,6 +146,7 @@ int render(RenderArguments arguments) {
     scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn, arguments.choices);
     scene::deform(scene, scene.settings.freeze_s.value_or(arguments.time_s));
     arguments.environment.apply(scene);
+    arguments.indirect.apply(scene);
     const std::shared_ptr<const RenderScene> compiled =
         compile(scene, warn, arguments.frame.integrator == kernel::INTEGRATOR_PATH);
     check_picture_memory(size_of(make_frame(scene, *compiled, arguments.frame)), arguments.aovs,
@@ -229,6 +233,8 @@ void add_render(CLI::App& program, Action& action) {
             "that --preview traces are white")
         ->type_name("NAME");
     add_light_options(*command, a.light);
+    add_photon_options(*command, a.indirect);
+    add_radiosity_options(*command, a.indirect);
     add_sampling_options(*command, a.sampling);
     command
         ->add_option_function<std::string>(

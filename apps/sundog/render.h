@@ -12,6 +12,7 @@
 #include "denoise/denoiser.h"
 #include "environment_options.h"
 #include "import/import.h"
+#include "indirect_options.h"
 #include "light_options.h"
 #include "output_plan.h"
 #include "sampling_options.h"
@@ -37,6 +38,7 @@ struct RenderArguments {
     int threads = 0;  ///< 0: all.
     SamplingArguments sampling;
     LightArguments light;
+    IndirectArguments indirect;
     float time_s = 0;
     float shutter_s = 0;  ///< How long it is open; 0: pictures are of one moment.
     BlurArguments blur;

@@ -3,6 +3,7 @@
 #include "command.h"
 #include "console.h"
 #include "environment_options.h"
+#include "indirect_options.h"
 #include "loading.h"
 #include "viewer/viewer.h"
 
@@ -20,14 +21,20 @@ struct ViewArguments {
     std::string scene;
     std::optional<Acceleration> acceleration;
     EnvironmentArguments environment;
+    IndirectArguments indirect;  ///< Photons alone: radiosity takes longer than a frame may.
     viewer::ViewOptions options;
 };
 
 int view(ViewArguments& arguments) {
     arguments.environment.check();
-    arguments.options.change = [&arguments](scene::Scene& scene) { arguments.environment.apply(scene); };
+    arguments.indirect.check(kernel::INTEGRATOR_WHITTED, arguments.options.device);
+    arguments.options.change = [&arguments](scene::Scene& scene) {
+        arguments.environment.apply(scene);
+        arguments.indirect.apply(scene);
+    };
     arguments.options.scene_file = scene_file_or_config(arguments.scene);
-    arguments.options.device = device_for(arguments.acceleration, arguments.options.device);
+    arguments.options.device =
+        arguments.indirect.device_for(device_for(arguments.acceleration, arguments.options.device));
     arguments.options.acceleration = arguments.acceleration.value_or(Acceleration::embree);
     WarningPrinter warnings;
     viewer::run(arguments.options, warnings.sink());
@@ -81,6 +88,7 @@ void add_view(CLI::App& program, Action& action) {
             "--min-weight", [&o](Text text) { o.min_weight = parse_float("--min-weight", text, 0, 1); },
             "Paths of less weight end")
         ->type_name("W");
+    add_photon_options(*command, arguments->indirect);
     add_environment_options(*command, arguments->environment);
     command->add_flag("--fullscreen", o.fullscreen, "Fill the screen");
     command->callback([arguments, &action] { action = [arguments] { return view(*arguments); }; });

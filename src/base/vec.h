@@ -97,6 +97,17 @@ struct Bounds3 {
     [[nodiscard]] Vec3 extent() const { return upper - lower; }
     void include(Vec3 p) { lower = min(lower, p), upper = max(upper, p); }
     void include(const Bounds3& b) { lower = min(lower, b.lower), upper = max(upper, b.upper); }
+    friend bool operator==(const Bounds3&, const Bounds3&) = default;
 };
+/// The box around a box that is moved; empty if that is.
+inline Bounds3 transformed(const Affine3& m, const Bounds3& box) {
+    Bounds3 out;
+    if (box.empty()) return out;
+    for (unsigned corner = 0; corner < 8; ++corner)
+        out.include(transform_point(
+            m, {(corner & 1U) != 0 ? box.upper.x : box.lower.x, (corner & 2U) != 0 ? box.upper.y : box.lower.y,
+                (corner & 4U) != 0 ? box.upper.z : box.lower.z}));
+    return out;
+}
 
 }  // namespace sundog

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "compile/insides_at.h"
+#include "compile/materials_of.h"
 #include "scene/bounds.h"
 
 namespace sundog {
@@ -62,13 +63,10 @@ Part part_of(const scene::Object& object, const std::vector<std::optional<Conten
         part.dims = part.dims || content->dims();
         if (std::find(seen.begin(), seen.end(), content->key()) == seen.end()) seen.push_back(content->key());
     };
-    if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
-        scene::Index last = scene::kNone;
-        for (const scene::Mesh::Triangle& t : (*mesh)->triangles)
-            if (t.material != last) add(last = t.material);
-    } else {
-        add(object.material);
-    }
+    scene::Index last = scene::kNone;
+    for_each_material(object, [&](scene::Index material) {
+        if (material != last) add(last = material);
+    });
     part.bodies = static_cast<int>(seen.size());
     part.bounds = scene::bounds_of(object);
     part.endless = scene::moves(object) || object.deformation != nullptr ||

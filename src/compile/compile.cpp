@@ -199,11 +199,16 @@ private:
 };
 
 /// Which rays don't see an object. Where `some_project`, some rays see only objects that lights are projected through.
-std::uint32_t hidden_from(const scene::Object& object, bool some_project, bool photons) {
+std::uint32_t hidden_from(const scene::Object& object, bool some_project) {
     if (object.projects > 0) return ~(kernel::RAY_PROJECTION << (object.projects - 1));
     return (some_project ? kernel::RAY_ANY_PROJECTION : 0U) | (object.seen_by_camera ? 0U : kernel::RAY_CAMERA) |
-           (photons ? hidden_from_photons(object) : 0U) | (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) |
-           (object.casts_shadow ? 0U : kernel::RAY_SHADOW) | (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
+           (object.seen_in_reflections ? 0U : kernel::RAY_REFLECTED) | (object.casts_shadow ? 0U : kernel::RAY_SHADOW) |
+           (object.seen_by_radiosity ? 0U : kernel::RAY_RADIOSITY);
+}
+
+/// Bounds in the world, at first.
+Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
+    return scene::moves(object) ? transformed(scene::transform_at(object, 0), bounds) : bounds;
 }
 
 /// Lists the geometries of the scene's objects.
@@ -213,15 +218,14 @@ public:
         : copies_(copies),
           out_(out),
           targets_(scene, out),
-          photons_(scene.photons.has_value()),
           some_project_(std::any_of(scene.objects.begin(), scene.objects.end(),
                                     [](const scene::Object& object) { return object.projects > 0; })) {}
 
     void begin_object(std::uint32_t index) { object_ = index; }
     void add(kernel::Geometry geometry, const scene::Object& object) {
         if (scene::moves(object)) geometry.instance = instance_count_++;
-        geometry.hidden_from = hidden_from(object, some_project_, photons_);
-        if (photons_) geometry.photons = targets_.photons_of(object_);
+        geometry.hidden_from = hidden_from_rays(object);
+        geometry.photons = targets_.photons_of(object_);
         geometry.interior_copy = copies_.of(object_);
         out_.geometries.push_back(geometry);
         out_.geometry_names.push_back(object.name);
@@ -238,9 +242,10 @@ public:
         if (!continues_run(part.geometry, object)) add(part.geometry, object);
         else out_.geometries.back().primitive_count += part.geometry.primitive_count;
     }
-    void add_bounds(const Bounds3& world) {
-        out_.bounds.include(world);
-        targets_.add_bounds(object_, world);
+    /// Of the geometry that was added last, in the object's space.
+    void add_bounds(const Bounds3& bounds, const scene::Object& object) {
+        out_.bounds.include(world_bounds_of(object, bounds));
+        targets_.add_bounds(object_, bounds, out_.geometries.back().instance);
     }
     void finish(const WarningSink& warn) { targets_.finish(warn); }
     [[nodiscard]] bool moving() const { return instance_count_ > 0; }
@@ -254,14 +259,16 @@ private:
         const kernel::Geometry& last = out_.geometries.back();
         return last.kind == g.kind && last.first_primitive + last.primitive_count == g.first_primitive &&
                last.instance == kernel::NONE && out_.geometry_names.back() == object.name &&
-               last.hidden_from == hidden_from(object, some_project_, photons_) &&
-               last.interior_copy == copies_.of(object_) && (!photons_ || last.photons == targets_.photons_of(object_));
+               last.hidden_from == hidden_from_rays(object) && last.photons == targets_.photons_of(object_) &&
+               last.interior_copy == copies_.of(object_);
+    }
+    [[nodiscard]] std::uint32_t hidden_from_rays(const scene::Object& object) const {
+        return hidden_from(object, some_project_) | (object.projects == 0 ? targets_.hidden_from(object_) : 0U);
     }
 
     const InteriorCopies& copies_;
     RenderScene& out_;
     PhotonTargets targets_;
-    bool photons_;
     bool some_project_;
     std::uint32_t object_ = 0;
     std::uint32_t instance_count_ = 0;
@@ -282,17 +289,6 @@ Bounds3 bounds_of(const scene::Object& object) {
         bounds.include(box->upper);
     }
     return bounds;
-}
-
-Bounds3 world_bounds_of(const scene::Object& object, const Bounds3& bounds) {
-    if (!scene::moves(object) || bounds.empty()) return bounds;
-    const Affine3 world_from_object = scene::transform_at(object, 0);
-    Bounds3 world;
-    for (unsigned corner = 0; corner < 8; ++corner)
-        world.include(transform_point(world_from_object, {(corner & 1U) ? bounds.upper.x : bounds.lower.x,
-                                                          (corner & 2U) ? bounds.upper.y : bounds.lower.y,
-                                                          (corner & 4U) ? bounds.upper.z : bounds.lower.z}));
-    return world;
 }
 
 bool has_map(const RenderScene& scene, const kernel::Bsdf& bsdf, std::uint32_t which) {
@@ -381,7 +377,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
             append_solid(scene, object, **solid, attributes, *out, warn, [&](const SolidPart& part) {
                 list.add(part, object);
-                list.add_bounds(world_bounds_of(object, part.bounds));
+                list.add_bounds(part.bounds, object);
             });
             continue;
         }
@@ -389,7 +385,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         if (geometry.primitive_count == 0) continue;
         note_one_sided(object, geometry, *out);
         list.add(geometry, object);
-        list.add_bounds(world_bounds_of(object, bounds_of(object)));
+        list.add_bounds(bounds_of(object), object);
     }
     list.finish(warn);
     find_bodies(scene, *out);

@@ -171,6 +171,19 @@ void set_radiosity(const scene::Radiosity& r, Frame& frame) {
     out.always_sample = r.always_sample;
 }
 
+/// Where a target of photons is.
+Bounds3 bounds_of(const PhotonTarget& target, const std::vector<kernel::Instance>& instances) {
+    Bounds3 bounds = target.bounds;
+    for (const PhotonTarget::Moving& part : target.moving) {
+        const kernel::Instance& i = instances[part.instance];
+        const auto host = [](const kernel::vec3& v) { return Vec3{v.x, v.y, v.z}; };
+        bounds.include(transformed({host(i.world_from_object_x), host(i.world_from_object_y),
+                                    host(i.world_from_object_z), host(i.world_from_object_t)},
+                                   part.bounds));
+    }
+    return bounds;
+}
+
 /// Turns photons on, if any are to be had.
 void set_photons(const scene::Photons& p, const scene::Scene& scene, const RenderScene& compiled, Frame& frame) {
     if (!p.loaded && !(p.spacing > 0) && p.count <= 0) return;
@@ -194,6 +207,14 @@ void set_photons(const scene::Photons& p, const scene::Scene& scene, const Rende
     out.media_radius_factor = p.media_radius_factor;
     out.loaded = p.loaded;
     out.store = p.store;
+    if (p.find_targets) {
+        // Their light has come through everything already.
+        for (kernel::Light& light : frame.lights)
+            if ((light.flags & kernel::LIGHT_SHADOWS) == 0)
+                light.flags |= kernel::LIGHT_PHOTONS_NEVER_REFLECT | kernel::LIGHT_PHOTONS_NEVER_REFRACT;
+    }
+    for (const PhotonTarget& target : compiled.photon_targets)
+        out.targets.push_back(bounds_of(target, frame.instances));
     for (const scene::Light& light : scene.lights) {
         PhotonMapping::LightInsides& insides = out.insides.emplace_back();
         insides.media.fill(kernel::NONE);

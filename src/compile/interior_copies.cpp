@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 
+#include "compile/materials_of.h"
 #include "kernel/shared.h"
 #include "scene/bounds.h"
 
@@ -16,48 +16,19 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;  // Of interiors, ascending.
 
 /// The numbers of the interiors of all materials of an object.
-class NumbersOf {
-public:
-    explicit NumbersOf(const scene::Scene& scene) : scene_(scene) {}
-
-    Numbers operator()(const scene::Object& object) {
-        found_.clear();
-        if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
-            std::uint32_t last = scene::kNone;
-            for (const scene::Mesh::Triangle& t : (*mesh)->triangles)
-                if (t.material != last) add(last = t.material);
-        } else if (const auto* solid = std::get_if<std::shared_ptr<const scene::Solid>>(&object.shape)) {
-            add(object.material);
-            add_solid(**solid);
-        } else {
-            add(object.material);
-        }
-        std::sort(found_.begin(), found_.end());
-        found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-        return found_;
-    }
-
-private:
-    void add(std::uint32_t material) {
-        if (material >= scene_.materials.size()) return;
-        const scene::Material& m = scene_.materials[material];
-        if (m.patterned && m.patterned->interior_number != 0) found_.push_back(m.patterned->interior_number);
-    }
-    void add_solid(const scene::Solid& solid) {
-        add(solid.material);
-        add(solid.interior_material);
-        if (const auto* group = std::get_if<scene::SolidGroup>(&solid.shape)) {
-            for (const auto& child : group->children) add_solid(*child);
-        } else if (const auto* blob = std::get_if<scene::Blob>(&solid.shape)) {
-            for (const scene::BlobComponent& component : blob->components) add(component.material);
-        } else if (const auto* mesh = std::get_if<std::shared_ptr<const scene::SolidMesh>>(&solid.shape)) {
-            for (const scene::SolidMesh::Triangle& t : (*mesh)->triangles) add(t.material);
-        }
-    }
-
-    const scene::Scene& scene_;
-    Numbers found_;
-};
+Numbers numbers_of(const scene::Scene& scene, const scene::Object& object) {
+    Numbers found;
+    std::uint32_t last = scene::kNone;
+    for_each_material(object, [&](std::uint32_t material) {
+        if (material == last || material >= scene.materials.size()) return;
+        last = material;
+        const scene::Material& m = scene.materials[material];
+        if (m.patterned && m.patterned->interior_number != 0) found.push_back(m.patterned->interior_number);
+    });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
 
 /// An object that has interiors with numbers.
 struct Holder {
@@ -124,10 +95,9 @@ InteriorCopies interior_copies(const scene::Scene& scene) {
 
     std::vector<Holder> holders;
     std::unordered_map<std::uint32_t, std::size_t> parts;  // How many objects each owner has.
-    NumbersOf numbers_of(scene);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
-        Numbers numbers = numbers_of(object);
+        Numbers numbers = numbers_of(scene, object);
         if (numbers.empty()) continue;
         ++parts[object.interior_owner];
         const bool known = !scene::moves(object) && !std::holds_alternative<scene::Plane>(object.shape);

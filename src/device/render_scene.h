@@ -53,7 +53,13 @@ struct CpuFeature {
 
 /// What photons are shot at: an object, or several as one.
 struct PhotonTarget {
-    Bounds3 bounds;           ///< World space, at rest.
+    /// What of it moves.
+    struct Moving {
+        std::uint32_t instance = 0;  ///< Into Frame::instances.
+        Bounds3 bounds;              ///< In its own space.
+    };
+    Bounds3 bounds;  ///< World space, of what rests.
+    std::vector<Moving> moving;
     float spacing = 1;        ///< Times that of the frame.
     std::uint32_t flags = 0;  ///< PHOTONS_*, without a number.
 };
@@ -142,8 +148,9 @@ struct PhotonMapping {
     int expand_min = 40;           ///< … and at least so many photons.
     float radius = 0, radius_factor = 1, media_radius = 0, media_radius_factor = 1;  ///< Radius 0: guessed.
     std::vector<LightInsides> insides;                                               ///< For each light.
-    std::shared_ptr<const StoredPhotons> loaded;                                     ///< Instead of shooting.
-    std::shared_ptr<const PhotonStore> store;  ///< Where they are kept once shot; null: nowhere.
+    std::vector<Bounds3> targets;                 ///< Where they are, by their numbers less one; empty: nowhere.
+    std::shared_ptr<const StoredPhotons> loaded;  ///< Instead of shooting.
+    std::shared_ptr<const PhotonStore> store;     ///< Where they are kept once shot; null: nowhere.
     friend bool operator==(const PhotonMapping&, const PhotonMapping&) = default;
 };
 

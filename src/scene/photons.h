@@ -36,6 +36,8 @@ struct Photons {
     SourceLocation where;
     float spacing = 0;  ///< Between photons on what they are shot at; 0: as `count` says.
     int count = 0;      ///< How many photons are shot; 0: as `spacing` says.
+    /// Where no object is marked as a target: all that mirror or refract light are targets, by their materials.
+    bool find_targets = false;
     int gather_min = 20, gather_max = 100;
     int media_steps = 0;  ///< Most photons along a stretch of a medium; 0: none are stored there.
     float media_factor = 1;

@@ -112,6 +112,32 @@ TEST_F(PhotonScene, PhotonsFadeOverTheirWholeWay) {
     for (const int lanes : {4, 8}) EXPECT_NEAR(mean_ratio(picture(2, lanes), 2.5F, both), 1, 0.01) << lanes << " lanes";
 }
 
+// Catches a mirror that isn't found by its material, and one that is looked for where it was at first.
+TEST_F(PhotonScene, AMirrorIsFoundWhereverItMoves) {
+    add_light(scene_, scene::Light::Kind::lamp, {0, 1, 0});
+    add_shape(scene_, scene::Box{{-1, -1.1F, 9}, {1, -1, 11}},
+              add_material(scene_, glowing_mirror({0, 0, 0}, {1, 1, 1})));
+    scene_.objects.back().motion->move_speed = {0, 0, 1};
+    scene_.objects.back().motion->move_amplitude = {0, 0, -10 / std::sin(1.0F)};
+    scene_.photons->find_targets = true;
+    scene_.settings.freeze_s = 1;
+    const auto both = [](double x, double z) { return cosine(3, x, z) + cosine(7, x, z); };
+    EXPECT_NEAR(mean_ratio(picture(), 2.5F, both), 1, 0.01);
+}
+
+// Catches light that comes through glass twice: in full, for nothing is in the way of a light without shadows, and as
+// photons.
+TEST_F(PhotonScene, LightsWithoutShadowsNeedNoPhotons) {
+    // Over the view, so that its shadow, with a wide caustic in it, is around (0, -0.8) on the wall.
+    add_light(scene_, scene::Light::Kind::lamp, {0, 0.5F, 5});
+    add_shape(scene_, scene::Sphere{{0, 1.7F, 3}, 0.5F}, add_material(scene_, glass(1, 1.5F)));
+    scene_.photons->find_targets = true;
+    const auto lamp = [](double x, double z) { return cosine(3.5, x, z - 5); };
+    EXPECT_LT(mean_ratio(picture(), 0.5F, lamp, -0.8), 0.95);
+    scene_.lights[0].shadows = false;
+    EXPECT_NEAR(mean_ratio(picture(), 0.5F, lamp, -0.8), 1, 1e-4);
+}
+
 // Parallel light that a mirror throws back is as bright as before, and as wide as the mirror.
 TEST_F(PhotonScene, ParallelLightStaysParallel) {
     // Over the wall, onto the mirror, and down onto the wall's front.

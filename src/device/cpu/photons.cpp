@@ -93,14 +93,14 @@ bool Photons::prepare(const StopFlag& stop) {
 void Photons::add_shots(std::uint32_t light_number, std::uint32_t target_number) {
     const kernel::Light& light = frame_.lights[light_number];
     const PhotonTarget& target = scene_.photon_targets[target_number - 1];
-    if (target.bounds.empty()) return;
+    if (settings_.targets[target_number - 1].empty()) return;
     if (!kernel::photons_reflect(target.flags, light.flags) && !kernel::photons_refract(target.flags, light.flags))
         return;
     const std::uint32_t columns = light.area_count_u, rows = light.area_count_v;
     if ((light.flags & kernel::LIGHT_PHOTONS_AREA) == 0 || columns * rows <= 1 || light.kind == kernel::LIGHT_CYLINDER)
         return add_shot(light_number, target_number, 1, target.spacing, from_kernel(light.place));
     const auto count = static_cast<float>(columns * rows);
-    const Vec3 toward = normalize(from_kernel(light.place) - target.bounds.center());
+    const Vec3 toward = normalize(from_kernel(light.place) - settings_.targets[target_number - 1].center());
     for (std::uint32_t i = 0; i < columns * rows; ++i) {
         const float s = kernel::place_in_row(i % columns, columns), t = kernel::place_in_row(i / columns, rows);
         // As many photons for all of them together as for a point.
@@ -112,7 +112,7 @@ void Photons::add_shots(std::uint32_t light_number, std::uint32_t target_number)
 void Photons::add_shot(std::uint32_t light_number, std::uint32_t target_number, float share, float spacing,
                        Vec3 place) {
     const kernel::Light& light = frame_.lights[light_number];
-    const Bounds3& bounds = scene_.photon_targets[target_number - 1].bounds;
+    const Bounds3& bounds = settings_.targets[target_number - 1];
     const Vec3 center = bounds.center();
     const float radius = 0.5F * length(bounds.extent());
     if (!(radius > 0)) return;
@@ -180,7 +180,7 @@ void Photons::add_pieces(std::size_t number, std::vector<Piece>& pieces) {
 std::vector<BatchPhoton> Photons::photons_of(const Piece& piece) const {
     const Shot& shot = shots_[piece.shot];
     const kernel::Light& light = frame_.lights[shot.light];
-    const Bounds3& bounds = scene_.photon_targets[shot.target - 1].bounds;
+    const Bounds3& bounds = settings_.targets[shot.target - 1];
     const Vec3 color = from_kernel(light.color) * shot.share;
     std::vector<BatchPhoton> photons;
     for (std::uint32_t ring = piece.first_ring; ring <= piece.last_ring; ++ring) {
