@@ -8,30 +8,14 @@
 #include <numbers>
 #include <set>
 
+#include "bake_scenes.h"
 #include "bake/write_glb.h"
 #include "base/test_folder.h"
-#include "device/cpu/cpu_device.h"
-#include "import/import.h"
-#include "scenes/scene_builder.h"
 
 namespace sundog::bake {
 namespace {
 
 using namespace test;
-
-BakedScene baked(const scene::Scene& s, const BakeOptions& options, int threads = 2) {
-    const auto compiled = compile(s, {});
-    Session session(make_cpu_device({.threads = threads}));
-    session.load(compiled);
-    const StopFlag stop;
-    return bake(s, *compiled, session, options, {}, {}, stop);
-}
-
-scene::Material shining(Vec3 emission, Vec3 diffuse) {
-    scene::Material m = matt(diffuse);
-    m.mtl->emission = emission;
-    return m;
-}
 
 // In a closed room whose walls shine with e and reflect the share r, radiosity is e / (1 - r) everywhere, up to its
 // corners. Catches vertices that see the other side of a wall, and light that is counted without its pi.
@@ -115,8 +99,7 @@ TEST(Bake, PatchesCoverWhatTheyDivide) {
 
 // Catches sums that depend on who was first.
 TEST(Bake, ThreadsDontChangeBits) {
-    const scene::Scene s =
-        import::import_scene(std::filesystem::path(SUNDOG_SOURCE_DIR) / "scenes/cornell/cornell.scene", {});
+    const scene::Scene s = cornell_box();
     BakeOptions options;
     options.longest_edge = 1;
     options.samples = 4;

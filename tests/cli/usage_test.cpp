@@ -188,6 +188,7 @@ TEST(Usage, OptionsOutOfRangeSayTheRange) {
         {{"view", scene}, {size, threads, accel, max_depth, min_weight, {"--device", {"xyz"}, "auto, cpu or gpu"}}},
         {{"bake", scene, "-o", "a.glb"},
          {threads,
+          {"--method", {"xyz"}, "paths or radiosity"},
           {"--patch", {"0", "-1", "nan"}, "a number from"},
           {"--spp", {"0", "1.5"}, "a whole number from 1 to 1000000"},
           {"--max-depth", {"-1"}, "a whole number from 0 to 10000"},

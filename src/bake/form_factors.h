@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which surfaces a point gets light from, and how much of its view they take: a hierarchy of radiosity (Hanrahan,
+// Salzman and Aupperle, A Rapid Hierarchical Radiosity Algorithm, SIGGRAPH 1991) whose links end at points.
+#pragma once
+
+#include <vector>
+
+#include "bake/element_tree.h"
+#include "device/cpu/triangle_occluders.h"
+
+namespace sundog::bake {
+
+/// Surfaces that exchange light. All arrays of vertices are parallel.
+struct Surfaces {
+    std::vector<Vec3> positions;
+    std::vector<Vec3> normals;  ///< Unit; a vertex's front is where it points.
+    std::vector<Vec3> inside;   ///< Where the light of each vertex arrives: beside it, in the middle of a face.
+    std::vector<TriangleIndices> triangles;
+    std::vector<TriangleIndices> occluders;  ///< What stops light: the same surfaces, in as few triangles as will do.
+};
+
+/// Something for the front and the back of a surface.
+template <class T>
+using Sides = std::array<T, 2>;
+
+/// Immutable once built: any number of threads may ask, each with a Query of its own.
+class FormFactors {
+public:
+    /// One side of a node of tree(), and which share of a point's view it takes.
+    struct Link {
+        std::uint32_t node : 31;
+        std::uint32_t back : 1;
+        float share;
+    };
+    struct Query {
+        std::vector<Link> links;
+        std::vector<std::uint32_t> stack;
+    };
+
+    /// Keeps no reference to `surfaces`. Builds on `threads` threads (0: all). Errors: DeviceError.
+    FormFactors(const Surfaces& surfaces, int threads);
+
+    /// Puts all that a point of a surface sees into query.links, in an order that doesn't vary. Nodes are as large as
+    /// their shares allow, so links are about as many, however fine triangles are: each has a share of at most
+    /// kMostShare, and one ray to its middle (Wallace, Elmquist and Haines 1989). Triangles that take more are divided
+    /// until rays to their parts are that dense, and measured exactly where they are near (triangle_form_factor()).
+    void find(Vec3 point, Vec3 normal, Query& query) const;
+
+    [[nodiscard]] const ElementTree& tree() const { return tree_; }
+    /// A triangle's unit normal, by the order of its corners.
+    [[nodiscard]] Vec3 face(std::uint32_t triangle) const { return faces_[triangle]; }
+
+    static constexpr float kMostShare = 1.0F / 256;
+
+private:
+    struct Receiver {
+        Vec3 point, normal, origin;
+    };
+    struct Corners {
+        Vec3 a, b, c;
+    };
+
+    [[nodiscard]] bool sees(const Receiver& receiver, Vec3 place, Vec3 normal) const;
+    [[nodiscard]] float share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, int level) const;
+    /// The share of a node as a disc, if that is good enough; else negative.
+    [[nodiscard]] float share_of(const Receiver& receiver, const ElementTree::Node& node) const;
+
+    std::vector<Corners> corners_;
+    std::vector<Vec3> faces_;  ///< Unit normals of triangles.
+    ElementTree tree_;
+    cpu::TriangleOccluders occluders_;
+    float lift_ = 0;  ///< How far off surfaces rays begin and end.
+};
+
+}  // namespace sundog::bake

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/radiosity.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/srgb.h"
+
+namespace sundog::bake {
+namespace {
+
+/// Triangles of a patch, as long as patches don't become more than kMostPatches.
+constexpr std::size_t kPatchTriangles = 16;
+constexpr std::size_t kMostPatches = 32768;
+/// The exchange ends when a bounce changes less than this share of all light.
+constexpr double kLeastChange = 1e-3;
+/// So much is done between two looks at what the caller wants.
+constexpr std::size_t kChunk = 2048;
+
+/// Receives light in the name of its triangles.
+struct Patch {
+    std::uint32_t node;
+    std::uint32_t vertex;  ///< Where its light arrives: nearest to its centre.
+};
+
+std::vector<Patch> patches_of(const ElementTree& tree, const Surfaces& surfaces) {
+    const std::size_t most = std::max(kPatchTriangles, surfaces.triangles.size() / kMostPatches);
+    std::vector<Patch> patches;
+    std::vector<std::uint32_t> stack;
+    if (!tree.nodes().empty()) stack.push_back(0);
+    while (!stack.empty()) {
+        const std::uint32_t number = stack.back();
+        stack.pop_back();
+        const ElementTree::Node& node = tree.nodes()[number];
+        if (!node.is_leaf() && (node.count > most || !node.is_flat())) {
+            stack.push_back(node.right);
+            stack.push_back(number + 1);
+            continue;
+        }
+        Patch patch{number, 0};
+        float nearest = std::numeric_limits<float>::infinity();
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+            for (const std::uint32_t v : surfaces.triangles[tree.order()[i]]) {
+                const float away = length(surfaces.inside[v] - node.center);
+                if (away >= nearest) continue;
+                nearest = away;
+                patch.vertex = v;
+            }
+        patches.push_back(patch);
+    }
+    return patches;
+}
+
+/// Calls done(begin, end) for parts of [0, count), one after the other, until it is stopped; false if it was.
+template <class Done>
+bool in_chunks(std::size_t count, const ShareSink& progress, const StopFlag& stop, const Done& done) {
+    for (std::size_t begin = 0; begin < count; begin += kChunk) {
+        if (stop.requested()) return false;
+        const std::size_t end = std::min(count, begin + kChunk);
+        done(begin, end);
+        if (progress) progress(static_cast<double>(end) / static_cast<double>(count));
+    }
+    return true;
+}
+
+Vec3 sum_of(std::span<const FormFactors::Link> links, std::span<const Sides<Vec3>> nodes) {
+    Vec3 sum{0, 0, 0};
+    for (const FormFactors::Link& link : links) sum += nodes[link.node][link.back] * link.share;
+    return sum;
+}
+
+class Solver {
+public:
+    Solver(const FormFactors& factors, const Surfaces& surfaces, const SurfaceLight& light)
+        : factors_(factors),
+          surfaces_(surfaces),
+          light_(light),
+          tree_(factors.tree()),
+          patches_(patches_of(tree_, surfaces)) {}
+
+    Exchanged run(int bounces, const ShareSink& progress, const StopFlag& stop) {
+        Exchanged result;
+        result.received.resize(surfaces_.positions.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+        result.nodes = node_light(result.received);
+        if (!find_links(progress, stop)) {
+            result.stopped = true;
+            const Vec3 ambient = ambient_light();
+            std::fill(result.received.begin(), result.received.end(), Sides<Vec3>{ambient, ambient});
+            return result;
+        }
+        for (int bounce = 1;; ++bounce) {
+            result.received = received(result.nodes);
+            if (bounce >= bounces || stop.requested()) break;
+            std::vector<Sides<Vec3>> next = node_light(result.received);
+            const double change = std::abs(power(next) - power(result.nodes));
+            const bool ends = change < kLeastChange * power(next);
+            result.nodes = std::move(next);
+            if (ends) break;
+        }
+        return result;
+    }
+
+private:
+    bool find_links(const ShareSink& progress, const StopFlag& stop) {
+        links_.resize(patches_.size());
+        return in_chunks(patches_.size(), progress, stop, [&](std::size_t begin, std::size_t end) {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 8), [&](const auto& range) {
+                FormFactors::Query query;
+                for (std::size_t p = range.begin(); p < range.end(); ++p)
+                    for (std::size_t side = 0; side < 2; ++side) {
+                        const std::uint32_t v = patches_[p].vertex;
+                        const bool turned = dot(surfaces_.normals[v], tree_.nodes()[patches_[p].node].axis) < 0;
+                        const Vec3 normal = surfaces_.normals[v] * (turned == (side == 1) ? 1.0F : -1.0F);
+                        factors_.find(surfaces_.inside[v], normal, query);
+                        links_[p][side].assign(query.links.begin(), query.links.end());
+                    }
+            });
+        });
+    }
+
+    /// Which side of a vertex is on that side of a triangle: vertices may have been written for the other one.
+    [[nodiscard]] std::size_t vertex_side(std::uint32_t triangle, std::uint32_t vertex, std::size_t side) const {
+        return dot(factors_.face(triangle), surfaces_.normals[vertex]) < 0 ? 1 - side : side;
+    }
+
+    /// What triangles send out who receive that, and the groups that they are in: the means by area.
+    [[nodiscard]] std::vector<Sides<Vec3>> node_light(const std::vector<Sides<Vec3>>& received) const {
+        const std::vector<ElementTree::Node>& nodes = tree_.nodes();
+        std::vector<Sides<Vec3>> light(nodes.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+        // Children come after their parents.
+        for (std::size_t n = nodes.size(); n-- > 0;)
+            for (std::size_t side = 0; side < 2; ++side) {
+                Vec3& sum = light[n][side];
+                if (nodes[n].is_leaf()) {
+                    for (const std::uint32_t v : surfaces_.triangles[nodes[n].middle]) {
+                        const std::size_t s = vertex_side(nodes[n].middle, v, side);
+                        sum += light_.source[v][s] + light_.reflectance[v][s] * received[v][s];
+                    }
+                    sum *= 1 / 3.0F;
+                    continue;
+                }
+                const std::size_t left = n + 1, right = nodes[n].right;
+                const float area = nodes[left].area + nodes[right].area;
+                const float share = area > 0 ? nodes[left].area / area : 0.5F;
+                sum = light[left][side] * share + light[right][side] * (1 - share);
+            }
+        return light;
+    }
+
+    /// What vertices receive: the mean of the patches around.
+    [[nodiscard]] std::vector<Sides<Vec3>> received(const std::vector<Sides<Vec3>>& nodes) const {
+        std::vector<Sides<Vec3>> at_patches(patches_.size());
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, patches_.size(), 64), [&](const auto& range) {
+            for (std::size_t p = range.begin(); p < range.end(); ++p)
+                for (std::size_t side = 0; side < 2; ++side) at_patches[p][side] = sum_of(links_[p][side], nodes);
+        });
+        std::vector<Sides<Vec3>> at_vertices(surfaces_.positions.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+        std::vector<float> count(at_vertices.size(), 0);
+        for (std::size_t p = 0; p < patches_.size(); ++p) {
+            const ElementTree::Node& node = tree_.nodes()[patches_[p].node];
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+                const std::uint32_t t = tree_.order()[i];
+                for (const std::uint32_t v : surfaces_.triangles[t]) {
+                    for (std::size_t side = 0; side < 2; ++side)
+                        at_vertices[v][vertex_side(t, v, side)] += at_patches[p][side];
+                    count[v] += 1;
+                }
+            }
+        }
+        for (std::size_t v = 0; v < at_vertices.size(); ++v)
+            for (Vec3& light : at_vertices[v]) light = light / std::max(count[v], 1.0F);
+        return at_vertices;
+    }
+
+    /// All that surfaces send out, up to a factor.
+    [[nodiscard]] double power(const std::vector<Sides<Vec3>>& nodes) const {
+        if (nodes.empty()) return 0;
+        return luminance(nodes[0][0]) + luminance(nodes[0][1]);
+    }
+
+    /// The mean radiance if all that is sent out were shared by all surfaces, times that of all bounces; a surface
+    /// counts by its brighter side.
+    [[nodiscard]] Vec3 ambient_light() const {
+        Vec3 sum{0, 0, 0}, reflected{0, 0, 0};
+        float area = 0;
+        for (const ElementTree::Node& node : tree_.nodes()) {
+            if (!node.is_leaf()) continue;
+            for (const std::uint32_t v : surfaces_.triangles[node.middle]) {
+                const Sides<Vec3>& source = light_.source[v];
+                const std::size_t side = luminance(source[1]) > luminance(source[0]) ? 1 : 0;
+                sum += source[side] * node.area;
+                reflected += light_.reflectance[v][side] * node.area;
+                area += node.area;
+            }
+        }
+        if (!(area > 0)) return {0, 0, 0};
+        const auto all_bounces = [&](float light, float reflectance) {
+            return light / area / (1 - std::clamp(reflectance / area, 0.0F, 0.9F));
+        };
+        return {all_bounces(sum.x, reflected.x), all_bounces(sum.y, reflected.y), all_bounces(sum.z, reflected.z)};
+    }
+
+    const FormFactors& factors_;
+    const Surfaces& surfaces_;
+    const SurfaceLight& light_;
+    const ElementTree& tree_;
+    std::vector<Patch> patches_;
+    std::vector<Sides<std::vector<FormFactors::Link>>> links_;
+};
+
+}  // namespace
+
+Exchanged exchange(const FormFactors& factors, const Surfaces& surfaces, const SurfaceLight& light, int bounces,
+                   const ShareSink& progress, const StopFlag& stop) {
+    return Solver(factors, surfaces, light).run(bounces, progress, stop);
+}
+
+bool gather(const FormFactors& factors, const Surfaces& surfaces, std::span<const Sides<Vec3>> nodes,
+            std::span<const std::uint8_t> back, std::span<Vec3> received, const ShareSink& progress,
+            const StopFlag& stop) {
+    return in_chunks(received.size(), progress, stop, [&](std::size_t begin, std::size_t end) {
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 16), [&](const auto& range) {
+            FormFactors::Query query;
+            for (std::size_t v = range.begin(); v < range.end(); ++v) {
+                factors.find(surfaces.inside[v], surfaces.normals[v] * (back[v] == 0 ? 1.0F : -1.0F), query);
+                received[v] = sum_of(query.links, nodes);
+            }
+        });
+    });
+}
+
+}  // namespace sundog::bake
