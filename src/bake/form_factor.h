@@ -15,7 +15,8 @@ float disc_form_factor(Vec3 point, Vec3 normal, Vec3 center, Vec3 axis, float ar
 /// The exact form factor from a point of a surface with a unit normal to a triangle, whichever of its sides is seen:
 /// half of each edge's angle over pi, times the cosine to the edge's plane (Lambert, Photometria, 1760; Baum, Rushmeier
 /// and Winget, Improving Radiosity Solutions Through the Use of Analytically Determined Form-Factors, SIGGRAPH 1989).
-/// What is below the point's horizon is cut off. 0 from points in the triangle's plane.
+/// What is below the point's horizon is cut off. Undefined for points of the
+/// triangle itself.
 float triangle_form_factor(Vec3 point, Vec3 normal, Vec3 a, Vec3 b, Vec3 c);
 
 }  // namespace sundog::bake

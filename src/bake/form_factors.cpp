@@ -35,6 +35,8 @@ bool FormFactors::sees(const Receiver& receiver, Vec3 place, Vec3 normal) const 
 }
 
 float FormFactors::share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, int level) const {
+    // A surface doesn't see itself, though rounding may say so.
+    if (!(std::abs(dot(normal, receiver.point - t.a)) > lift_)) return 0;
     const auto height = [&](Vec3 p) { return dot(receiver.normal, p - receiver.point); };
     if (!(height(t.a) > 0) && !(height(t.b) > 0) && !(height(t.c) > 0)) return 0;
     const Vec3 middle = (t.a + t.b + t.c) / 3;
