@@ -67,8 +67,10 @@ BakedScene bake(const scene::Scene& scene, const RenderScene& compiled, Session&
     if (options.method == Method::paths) {
         baked.stopped = by_paths(scene, session, frame, pixels, options.samples, baked.parts, progress, stop);
     } else {
-        const DirectLight direct = direct_light(compiled, session, frame, pixels, distance, options, progress, stop);
-        baked.stopped = by_radiosity(scene, compiled, frame, direct, pixels, options, baked.parts, progress, stop);
+        const ShiningSurfaces shining = shining_surfaces(compiled, frame, baked.parts);
+        DirectLight direct = direct_light(compiled, session, frame, shining, pixels, distance, options, progress, stop);
+        baked.stopped =
+            by_radiosity(scene, frame, shining, std::move(direct), pixels, options, baked.parts, progress, stop);
     }
     for (const Part& part : baked.parts) {
         baked.vertices += part.positions.size();

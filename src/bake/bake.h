@@ -44,9 +44,9 @@ struct BakedScene {
 };
 
 /// The light of all vertices of a scene that `session`, on the CPU, has loaded as `compiled`. An object whose faces
-/// are darker in front than behind, all in all, was written the other way round: its normals are turned. The same bits
-/// for any number of threads. Errors: InputError (parts_of); DeviceError; StoppedEarly where it was stopped before each
-/// vertex had light.
+/// are clearly darker in front than behind, all in all, was written the other way round: its normals are turned. The
+/// same bits for any number of threads. Errors: InputError (parts_of); DeviceError; StoppedEarly where it was stopped
+/// before each vertex had light.
 ///
 /// By Method::radiosity, what isn't in the parts (planes, exact solids) casts shadows, but doesn't send light back; nor
 /// do mirrors and glass (make_matt() has them as matt surfaces).

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
+#include <utility>
 
 #include "bake/part_light.h"
 #include "bake/radiosity.h"
@@ -17,17 +17,8 @@ namespace {
 
 /// More can't be sent back than what comes.
 constexpr float kMostReflectance = 0.99F;
-
-/// The objects' materials that paths aim at as lights.
-std::set<std::pair<std::size_t, scene::Index>> aimed_at(const RenderScene& compiled) {
-    std::set<std::pair<std::size_t, scene::Index>> aimed;
-    for (const ShiningPrimitive& p : compiled.shining) {
-        const bool triangle = compiled.geometries[p.geometry].kind == kernel::GEOMETRY_TRIANGLES;
-        aimed.emplace(compiled.geometry_objects[p.geometry],
-                      triangle ? compiled.triangles[p.primitive].material : compiled.spheres[p.primitive].material);
-    }
-    return aimed;
-}
+/// Form factors of what shines are at most so many times finer than others.
+constexpr float kMostDetail = 64;
 
 Surfaces surfaces_of(const std::vector<Part>& parts) {
     Surfaces surfaces;
@@ -52,43 +43,130 @@ Vec3 linear_light(Vec3 c, float working_gamma) {
     return {channel(c.x), channel(c.y), channel(c.z)};
 }
 
-/// What vertices send out before any exchange.
-SurfaceLight light_before(const DirectLight& direct, const VertexPixels& pixels, const RenderScene& compiled,
-                          const std::vector<Part>& parts) {
-    const auto aimed = aimed_at(compiled);
-    SurfaceLight light;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        // What paths aimed at is part of the direct light already.
-        const float own = aimed.contains({parts[p].source, parts[p].material}) ? 0.0F : 1.0F;
-        for (std::size_t v = 0; v < parts[p].positions.size(); ++v) {
-            Sides<Vec3> source, reflectance;
-            for (std::size_t side = 0; side < 2; ++side) {
-                const std::size_t pixel = pixels.pixel_of(p, v, side == 1);
-                constexpr Vec3 most{kMostReflectance, kMostReflectance, kMostReflectance};
-                source[side] = direct.reflected[pixel] + direct.own[pixel] * own;
-                reflectance[side] = min(max(direct.albedo[pixel], {0, 0, 0}), most);
+class Baking {
+public:
+    Baking(const scene::Scene& scene, const Frame& frame, DirectLight direct, const VertexPixels& pixels,
+           const BakeOptions& options, std::vector<Part>& parts, const ProgressSink& progress, const StopFlag& stop)
+        : scene_(scene),
+          working_gamma_(frame.params.working_gamma),
+          direct_(std::move(direct)),
+          pixels_(pixels),
+          options_(options),
+          parts_(parts),
+          progress_(progress),
+          stop_(stop),
+          surfaces_(surfaces_of(parts)),
+          back_(surfaces_.positions.size(), 0),
+          received_(surfaces_.positions.size(), Vec3{0, 0, 0}),
+          stopped_(direct_.stopped) {}
+
+    bool run(const ShiningSurfaces& shining) {
+        add_shining(shining);
+        if (options_.max_depth > 0) {
+            const FormFactors factors(surfaces_, {}, options_.threads);
+            const Exchanged exchanged =
+                exchange(factors, surfaces_, light_before(), options_.max_depth, part_of_work(0.6, 0.7), stop_);
+            choose_sides(exchanged.received);
+            stopped_ |= exchanged.stopped;
+            if (!exchanged.stopped)
+                stopped_ |= !gather(factors, surfaces_, exchanged.nodes, back_, received_, part_of_work(0.7, 1), stop_);
+        } else {
+            choose_sides(std::vector<Sides<Vec3>>(received_.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}}));
+        }
+        for (std::size_t p = 0, first = 0; p < parts_.size(); ++p) {
+            PartSides sides;
+            const bool turned = back_[first] != 0;
+            sides[turned ? 1 : 0] = all_light(p, turned, [&](std::size_t v) { return received_[first + v]; });
+            first += parts_[p].positions.size();
+            take_side(parts_[p], sides, turned);
+        }
+        return stopped_;
+    }
+
+private:
+    [[nodiscard]] ShareSink part_of_work(double from, double to) const {
+        if (!progress_) return {};
+        return [this, from, to](double share) {
+            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+            progress_({from + (to - from) * share, seconds, 0});
+        };
+    }
+
+    /// Adds what comes to vertices from surfaces that shine but weren't aimed at.
+    void add_shining(const ShiningSurfaces& shining) {
+        Surfaces lamps = surfaces_;
+        lamps.triangles.clear();
+        SurfaceLight light;
+        light.source.resize(received_.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+        light.reflectance = light.source;
+        std::vector<float> brightness;
+        Vec3 sum{0, 0, 0};
+        float area = 0;
+        for (std::size_t p = 0, first = 0; p < parts_.size(); first += parts_[p].positions.size(), ++p) {
+            const bool aimed_at = shining.aimed_at.contains({parts_[p].source, parts_[p].material});
+            const auto own = [&](std::size_t v, bool back) { return direct_.own[pixels_.pixel_of(p, v, back)]; };
+            if (!aimed_at)
+                for (std::size_t v = 0; v < parts_[p].positions.size(); ++v)
+                    light.source[first + v] = {own(v, false), own(v, true)};
+            for (const TriangleIndices& t : parts_[p].triangles) {
+                const auto place = [&](std::size_t k) { return parts_[p].positions[t[k]]; };
+                const float size = length(cross(place(1) - place(0), place(2) - place(0)));
+                area += size;
+                Vec3 most{0, 0, 0};
+                for (const std::uint32_t v : t) most = max(most, max(own(v, false), own(v, true)));
+                if (aimed_at || !(luminance(most) > 0)) continue;
+                const auto at = [&](std::uint32_t v) { return static_cast<std::uint32_t>(first) + v; };
+                lamps.triangles.push_back({at(t[0]), at(t[1]), at(t[2])});
+                brightness.push_back(luminance(most));
+                sum += most * size;
             }
-            light.source.push_back(source);
-            light.reflectance.push_back(reflectance);
+        }
+        if (lamps.triangles.empty()) return;
+        // What one ray brings is to be little of what there is on average.
+        const Vec3 mean = sum / area;
+        for (float& b : brightness) b = std::clamp(b / luminance(mean), 1.0F, kMostDetail);
+        const FormFactors factors(lamps, brightness, options_.threads);
+        const std::vector<Sides<Vec3>> nodes = radiance_of_nodes(factors, lamps, light, light.source);
+        for (std::uint8_t side = 0; side < 2; ++side) {
+            const std::vector<std::uint8_t> back(received_.size(), side);
+            // Where it is stopped, the mean stands for what wasn't found.
+            std::vector<Vec3> received(received_.size(), mean);
+            stopped_ |= !gather(factors, lamps, nodes, back, received,
+                                part_of_work(0.5 + 0.05 * side, 0.55 + 0.05 * side), stop_);
+            for (std::size_t p = 0, first = 0; p < parts_.size(); first += parts_[p].positions.size(), ++p)
+                for (std::size_t v = 0; v < parts_[p].positions.size(); ++v) {
+                    const std::size_t pixel = pixels_.pixel_of(p, v, side == 1);
+                    direct_.reflected[pixel] += direct_.albedo[pixel] * received[first + v];
+                }
         }
     }
-    return light;
-}
 
-/// Puts together what a vertex sends out: its own light and what it makes of others'.
-class Sum {
-public:
-    Sum(const scene::Scene& scene, const DirectLight& direct, const VertexPixels& pixels, float working_gamma)
-        : scene_(scene), direct_(direct), pixels_(pixels), working_gamma_(working_gamma) {}
+    /// What vertices send out before any exchange, but for what they shine with.
+    [[nodiscard]] SurfaceLight light_before() const {
+        SurfaceLight light;
+        for (std::size_t p = 0; p < parts_.size(); ++p)
+            for (std::size_t v = 0; v < parts_[p].positions.size(); ++v) {
+                Sides<Vec3> source, reflectance;
+                for (std::size_t side = 0; side < 2; ++side) {
+                    const std::size_t pixel = pixels_.pixel_of(p, v, side == 1);
+                    constexpr Vec3 most{kMostReflectance, kMostReflectance, kMostReflectance};
+                    source[side] = direct_.reflected[pixel];
+                    reflectance[side] = min(max(direct_.albedo[pixel], {0, 0, 0}), most);
+                }
+                light.source.push_back(source);
+                light.reflectance.push_back(reflectance);
+            }
+        return light;
+    }
 
-    /// `received(v)` is what vertex v of the part receives by exchange.
+    /// What a side of a part sends out: its own light and what it makes of others'. `received(v)` is what vertex v of
+    /// the part receives by exchange.
     template <class Received>
-    [[nodiscard]] std::vector<Vec3> of(const Part& part, std::size_t number, bool back,
-                                       const Received& received) const {
-        const bool textured = is_textured(scene_.materials[part.material]);
+    [[nodiscard]] std::vector<Vec3> all_light(std::size_t p, bool back, const Received& received) const {
+        const bool textured = is_textured(scene_.materials[parts_[p].material]);
         std::vector<Vec3> all;
-        for (std::size_t v = 0; v < part.positions.size(); ++v) {
-            const std::size_t pixel = pixels_.pixel_of(number, v, back);
+        for (std::size_t v = 0; v < parts_[p].positions.size(); ++v) {
+            const std::size_t pixel = pixels_.pixel_of(p, v, back);
             const Vec3 albedo = direct_.albedo[pixel];
             const Vec3 sum = direct_.own[pixel] + direct_.reflected[pixel] + albedo * received(v);
             const Vec3 light = linear_light(sum, working_gamma_);
@@ -97,69 +175,43 @@ public:
         return all;
     }
 
-private:
+    /// Which side of a part counts can be told from what its patches receive.
+    void choose_sides(const std::vector<Sides<Vec3>>& by_patches) {
+        for (std::size_t p = 0, first = 0; p < parts_.size(); ++p) {
+            PartSides sides;
+            for (std::size_t side = 0; side < 2; ++side)
+                sides[side] = all_light(p, side == 1, [&](std::size_t v) { return by_patches[first + v][side]; });
+            const std::uint8_t back = is_turned(sides) ? 1 : 0;
+            for (const std::size_t end = first + parts_[p].positions.size(); first < end; ++first) {
+                back_[first] = back;
+                received_[first] = by_patches[first][back];
+            }
+        }
+    }
+
+    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     const scene::Scene& scene_;
-    const DirectLight& direct_;
-    const VertexPixels& pixels_;
     float working_gamma_;
+    DirectLight direct_;
+    const VertexPixels& pixels_;
+    const BakeOptions& options_;
+    std::vector<Part>& parts_;
+    const ProgressSink& progress_;
+    const StopFlag& stop_;
+    Surfaces surfaces_;
+    std::vector<std::uint8_t> back_;  ///< 1 where a vertex's part is turned.
+    std::vector<Vec3> received_;      ///< By exchange, on the side that counts.
+    bool stopped_;
 };
 
 }  // namespace
 
-bool by_radiosity(const scene::Scene& scene, const RenderScene& compiled, const Frame& frame, const DirectLight& direct,
+bool by_radiosity(const scene::Scene& scene, const Frame& frame, const ShiningSurfaces& shining, DirectLight direct,
                   const VertexPixels& pixels, const BakeOptions& options, std::vector<Part>& parts,
                   const ProgressSink& progress, const StopFlag& stop) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto part_of_work = [&](double from, double to) -> ShareSink {
-        if (!progress) return {};
-        return [&progress, start, from, to](double share) {
-            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            progress({from + (to - from) * share, seconds, 0});
-        };
-    };
-    const Surfaces surfaces = surfaces_of(parts);
-    const Sum sum(scene, direct, pixels, frame.params.working_gamma);
-    std::vector<Vec3> received(surfaces.positions.size(), {0, 0, 0});
-    std::vector<std::uint8_t> back(surfaces.positions.size(), 0);
-    std::vector<bool> turned(parts.size(), false);
-    // Which side of a part counts can be told from what its patches receive.
-    const auto choose_sides = [&](const std::vector<Sides<Vec3>>& by_patches) {
-        std::size_t first = 0;
-        for (std::size_t p = 0; p < parts.size(); ++p) {
-            PartSides sides;
-            for (std::size_t side = 0; side < 2; ++side)
-                sides[side] =
-                    sum.of(parts[p], p, side == 1, [&](std::size_t v) { return by_patches[first + v][side]; });
-            turned[p] = is_turned(sides);
-            for (const std::size_t end = first + parts[p].positions.size(); first < end; ++first) {
-                back[first] = turned[p] ? 1 : 0;
-                received[first] = by_patches[first][back[first]];
-            }
-        }
-    };
-    bool stopped = direct.stopped;
-    if (options.max_depth > 0) {
-        tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-        arena.execute([&] {
-            const FormFactors factors(surfaces, options.threads);
-            const Exchanged exchanged = exchange(factors, surfaces, light_before(direct, pixels, compiled, parts),
-                                                 options.max_depth, part_of_work(0.5, 0.6), stop);
-            choose_sides(exchanged.received);
-            stopped |= exchanged.stopped;
-            if (!exchanged.stopped)
-                stopped |= !gather(factors, surfaces, exchanged.nodes, back, received, part_of_work(0.6, 1), stop);
-        });
-    } else {
-        choose_sides(std::vector<Sides<Vec3>>(received.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}}));
-    }
-    std::size_t first = 0;
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        PartSides sides;
-        sides[turned[p] ? 1 : 0] = sum.of(parts[p], p, turned[p], [&](std::size_t v) { return received[first + v]; });
-        first += parts[p].positions.size();
-        take_side(parts[p], sides, turned[p]);
-    }
-    return stopped;
+    Baking baking(scene, frame, std::move(direct), pixels, options, parts, progress, stop);
+    tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+    return arena.execute([&] { return baking.run(shining); });
 }
 
 }  // namespace sundog::bake

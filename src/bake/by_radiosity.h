@@ -6,9 +6,9 @@
 
 namespace sundog::bake {
 
-/// Sets the parts' light. Surfaces that shine, but that paths can't aim at, send their light with the exchange. True if
+/// Sets the parts' light, to which `direct` is added what comes from surfaces that shine but weren't aimed at. True if
 /// stopped, by `direct` or since; what is missing is then that of patches, or an ambient term (exchange()).
-bool by_radiosity(const scene::Scene& scene, const RenderScene& compiled, const Frame& frame, const DirectLight& direct,
+bool by_radiosity(const scene::Scene& scene, const Frame& frame, const ShiningSurfaces& shining, DirectLight direct,
                   const VertexPixels& pixels, const BakeOptions& options, std::vector<Part>& parts,
                   const ProgressSink& progress, const StopFlag& stop);
 

@@ -90,9 +90,30 @@ private:
 
 }  // namespace
 
-DirectLight direct_light(const RenderScene& compiled, Session& session, const Frame& frame, const VertexPixels& pixels,
-                         float distance, const BakeOptions& options, const ProgressSink& progress,
-                         const StopFlag& stop) {
+ShiningSurfaces shining_surfaces(const RenderScene& compiled, const Frame& frame, const std::vector<Part>& parts) {
+    std::set<std::size_t> baked;
+    for (const Part& part : parts) baked.insert(part.source);
+    const auto is_baked = [&](std::uint32_t geometry) { return baked.contains(compiled.geometry_objects[geometry]); };
+    bool all_baked = true;
+    for (std::uint32_t g = 0; g < compiled.geometries.size(); ++g)
+        all_baked &= compiled.geometries[g].primitive_count == 0 || is_baked(g);
+    for (const kernel::Material& m : compiled.materials) all_baked &= (m.flags & kernel::MATERIAL_TRANSPARENT) == 0;
+    ShiningSurfaces shining;
+    for (std::uint32_t i = 0; i < frame.params.emitter_count; ++i) {
+        const kernel::Emitter& e = frame.emitters[i];
+        const bool is_surface = e.kind == kernel::EMITTER_TRIANGLE || e.kind == kernel::EMITTER_SPHERE;
+        shining.emitters.push_back(!is_surface || !all_baked || !is_baked(e.geometry));
+        if (!is_surface || !shining.emitters.back()) continue;
+        shining.aimed_at.emplace(compiled.geometry_objects[e.geometry], e.kind == kernel::EMITTER_TRIANGLE
+                                                                            ? compiled.triangles[e.index].material
+                                                                            : compiled.spheres[e.index].material);
+    }
+    return shining;
+}
+
+DirectLight direct_light(const RenderScene& compiled, Session& session, const Frame& frame,
+                         const ShiningSurfaces& shining, const VertexPixels& pixels, float distance,
+                         const BakeOptions& options, const ProgressSink& progress, const StopFlag& stop) {
     Frame ended = frame;
     ended.params.max_depth = 0;
     ended.params.working_gamma = 1;
@@ -109,6 +130,7 @@ DirectLight direct_light(const RenderScene& compiled, Session& session, const Fr
     std::vector<kernel::Emitter> sized;
     for (std::uint32_t i = 0; i < frame.params.emitter_count; ++i) {
         const kernel::Emitter& emitter = frame.emitters[i];
+        if (!shining.emitters[i]) continue;
         if (has_size(frame, emitter) || aims.size() == options.samples) sized.push_back(emitter);
         else aims.push_back({{emitter}, 1});
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/form_factor.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -36,7 +37,11 @@ float disc_form_factor(Vec3 point, Vec3 normal, Vec3 center, Vec3 axis, float ar
     const float distance2 = dot(way, way);
     const float height = dot(normal, way);
     if (!(height > 0)) return 0;
-    return area * height * std::abs(dot(axis, way)) / (distance2 * (kPi * distance2 + area));
+    const float per_distance = 1 / std::sqrt(distance2);
+    const float cosine = height * per_distance, cosine_there = dot(axis, way) * per_distance;
+    const float size = area / (kPi * distance2);
+    const float oblique = cosine * (2 - 3 * cosine_there * cosine_there) + dot(normal, axis) * cosine_there;
+    return std::max(size * std::abs(cosine_there) * (cosine + size * oblique) / (1 + size), 0.0F);
 }
 
 float triangle_form_factor(Vec3 point, Vec3 normal, Vec3 a, Vec3 b, Vec3 c) {

@@ -7,9 +7,11 @@
 namespace sundog::bake {
 
 /// The form factor from a point of a surface with a unit normal to a disc of that area around `center` whose unit axis
-/// is `axis`, either of whose sides may be seen: A cos cos / (pi r^2 + A) (Wallace, Elmquist and Haines, A Ray Tracing
-/// Algorithm for Progressive Radiosity, SIGGRAPH 1989). Exact on the disc's axis where the surfaces are
-/// parallel, good wherever the disc is far away for its size; 0 where its middle is below the point's horizon.
+/// is `axis`, either of whose sides may be seen: with s = A / (pi r^2), it is s cos_j cos_i / (1 + s) (Wallace,
+/// Elmquist and Haines, A Ray Tracing Algorithm for Progressive Radiosity, SIGGRAPH 1989), which is exact on the axis
+/// for parallel surfaces, and for others right to the second order of the disc's size by s cos_i (2 - 3 cos_j^2) + s
+/// n_i.n_j cos_j more in the place of cos_i: half the variance of the disc's points times the Laplacian, in its plane,
+/// of cos_i cos_j / r^2. 0 where its middle is below the point's horizon.
 float disc_form_factor(Vec3 point, Vec3 normal, Vec3 center, Vec3 axis, float area);
 
 /// The exact form factor from a point of a surface with a unit normal to a triangle, whichever of its sides is seen:

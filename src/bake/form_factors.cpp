@@ -16,7 +16,7 @@ constexpr int kMostLevels = 3;
 
 }  // namespace
 
-FormFactors::FormFactors(const Surfaces& surfaces, int threads)
+FormFactors::FormFactors(const Surfaces& surfaces, std::span<const float> detail, int threads)
     : tree_(surfaces.positions, surfaces.triangles), occluders_(surfaces.positions, surfaces.occluders, threads) {
     for (const TriangleIndices& t : surfaces.triangles) {
         const Corners corners{surfaces.positions[t[0]], surfaces.positions[t[1]], surfaces.positions[t[2]]};
@@ -27,6 +27,12 @@ FormFactors::FormFactors(const Surfaces& surfaces, int threads)
     for (const Vec3 p : surfaces.positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     // As the kernel's hit_error: 64 units in the last place of the largest number involved.
     lift_ = largest * 3.8146973e-6F;
+    const std::vector<ElementTree::Node>& nodes = tree_.nodes();
+    most_.resize(nodes.size(), kMostShare);
+    // Children come after their parents.
+    for (std::size_t n = detail.empty() ? 0 : nodes.size(); n-- > 0;)
+        most_[n] =
+            nodes[n].is_leaf() ? kMostShare / detail[nodes[n].middle] : std::min(most_[n + 1], most_[nodes[n].right]);
 }
 
 bool FormFactors::sees(const Receiver& receiver, Vec3 place, Vec3 normal) const {
@@ -34,7 +40,8 @@ bool FormFactors::sees(const Receiver& receiver, Vec3 place, Vec3 normal) const 
     return !occluders_.between(receiver.origin, place + normal * off);
 }
 
-float FormFactors::share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, int level) const {
+float FormFactors::share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, float most,
+                            int level) const {
     // A surface doesn't see itself, though rounding may say so.
     if (!(std::abs(dot(normal, receiver.point - t.a)) > lift_)) return 0;
     const auto height = [&](Vec3 p) { return dot(receiver.normal, p - receiver.point); };
@@ -46,15 +53,15 @@ float FormFactors::share_of(const Receiver& receiver, const Corners& t, Vec3 nor
     const float share = is_far ? disc_form_factor(receiver.point, receiver.normal, middle, normal, area)
                                : triangle_form_factor(receiver.point, receiver.normal, t.a, t.b, t.c);
     if (share < kLeastShare) return 0;
-    if (share <= 2 * kMostShare || level == kMostLevels) return sees(receiver, middle, normal) ? share : 0;
+    if (share <= 2 * most || level == kMostLevels) return sees(receiver, middle, normal) ? share : 0;
     const Vec3 ab = (t.a + t.b) * 0.5F, bc = (t.b + t.c) * 0.5F, ca = (t.c + t.a) * 0.5F;
     const auto part = [&](Vec3 a, Vec3 b, Vec3 c) {
-        return share_of(receiver, {a, b, c}, normal, area / 4, level + 1);
+        return share_of(receiver, {a, b, c}, normal, area / 4, most, level + 1);
     };
     return part(t.a, ab, ca) + part(ab, t.b, bc) + part(ca, bc, t.c) + part(ab, bc, ca);
 }
 
-float FormFactors::share_of(const Receiver& receiver, const ElementTree::Node& node) const {
+float FormFactors::share_of(const Receiver& receiver, const ElementTree::Node& node, float most) {
     constexpr float kTooCoarse = -1;
     if (!node.is_flat()) return kTooCoarse;
     const Vec3 way = node.center - receiver.point;
@@ -64,7 +71,7 @@ float FormFactors::share_of(const Receiver& receiver, const ElementTree::Node& n
     const float spread = node.radius / std::sqrt(distance2);
     const float height = std::min(dot(receiver.normal, way) / std::sqrt(distance2) + spread, 1.0F);
     const float facing = std::min(std::abs(dot(node.axis, way)) / std::sqrt(distance2) + spread, 1.0F);
-    if (node.area * height * facing > kMostShare * kPi * distance2) return kTooCoarse;
+    if (node.area * height * facing > most * kPi * distance2) return kTooCoarse;
     return disc_form_factor(receiver.point, receiver.normal, node.center, node.axis, node.projected);
 }
 
@@ -82,9 +89,9 @@ void FormFactors::find(Vec3 point, Vec3 normal, Query& query) const {
         if (dot(normal, node.center - point) + node.radius <= 0) continue;
         float share = 0;
         if (node.is_leaf()) {
-            share = share_of(receiver, corners_[node.middle], faces_[node.middle], node.area, 0);
+            share = share_of(receiver, corners_[node.middle], faces_[node.middle], node.area, most_[number], 0);
         } else {
-            share = share_of(receiver, node);
+            share = share_of(receiver, node, most_[number]);
             if (share < 0) {
                 query.stack.push_back(node.right);
                 query.stack.push_back(number + 1);

@@ -37,13 +37,15 @@ public:
         std::vector<std::uint32_t> stack;
     };
 
-    /// Keeps no reference to `surfaces`. Builds on `threads` threads (0: all). Errors: DeviceError.
-    FormFactors(const Surfaces& surfaces, int threads);
+    /// Keeps no reference to `surfaces`. `detail`, for each triangle: how many times smaller than kMostShare its shares
+    /// are to be, 1 or more; empty: 1 for all. Builds on `threads` threads (0: all). Errors: DeviceError.
+    FormFactors(const Surfaces& surfaces, std::span<const float> detail, int threads);
 
     /// Puts all that a point of a surface sees into query.links, in an order that doesn't vary. Nodes are as large as
     /// their shares allow, so links are about as many, however fine triangles are: each has a share of at most
-    /// kMostShare, and one ray to its middle (Wallace, Elmquist and Haines 1989). Triangles that take more are divided
-    /// until rays to their parts are that dense, and measured exactly where they are near (triangle_form_factor()).
+    /// kMostShare (by its detail), and one ray to its middle (Wallace, Elmquist and Haines 1989). Triangles that take
+    /// more are divided until rays to their parts are that dense, and measured exactly where they are near
+    /// (triangle_form_factor()).
     void find(Vec3 point, Vec3 normal, Query& query) const;
 
     [[nodiscard]] const ElementTree& tree() const { return tree_; }
@@ -61,12 +63,15 @@ private:
     };
 
     [[nodiscard]] bool sees(const Receiver& receiver, Vec3 place, Vec3 normal) const;
-    [[nodiscard]] float share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, int level) const;
+    /// What is seen of a triangle; parts of it take about `most` each.
+    [[nodiscard]] float share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, float most,
+                                 int level) const;
     /// The share of a node as a disc, if that is good enough; else negative.
-    [[nodiscard]] float share_of(const Receiver& receiver, const ElementTree::Node& node) const;
+    [[nodiscard]] static float share_of(const Receiver& receiver, const ElementTree::Node& node, float most);
 
     std::vector<Corners> corners_;
     std::vector<Vec3> faces_;  ///< Unit normals of triangles.
+    std::vector<float> most_;  ///< The largest share of each node.
     ElementTree tree_;
     cpu::TriangleOccluders occluders_;
     float lift_ = 0;  ///< How far off surfaces rays begin and end.

@@ -5,6 +5,13 @@
 
 namespace sundog::bake {
 
+namespace {
+
+/// How much brighter the back must be before an object is taken for turned.
+constexpr double kClearly = 1.25;
+
+}  // namespace
+
 bool is_textured(const scene::Material& material) {
     if (material.principled) return material.principled->base_color_map.texture != scene::kNone;
     return !material.patterned && material.mtl->map_diffuse.texture != scene::kNone;
@@ -19,7 +26,7 @@ bool is_turned(const PartSides& sides) {
     std::array<double, 2> all{};
     for (std::size_t side = 0; side < 2; ++side)
         for (const Vec3& light : sides[side]) all[side] += light.x + light.y + light.z;
-    return all[1] > all[0];
+    return all[1] > kClearly * all[0];
 }
 
 void take_side(Part& part, PartSides& sides, bool turned) {

@@ -17,7 +17,8 @@ bool is_textured(const scene::Material& material);
 /// What a textured surface's light is apart from its texture.
 Vec3 light_of_white(Vec3 radiance, Vec3 albedo);
 
-/// Whether the back is the brighter side, all in all.
+/// Whether the back is clearly the brighter side, all in all: by a quarter, so that what is about as bright stays as it
+/// was written.
 bool is_turned(const PartSides& sides);
 
 /// Gives a part that side's light, and turns it to where the light is.

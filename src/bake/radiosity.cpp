@@ -73,6 +73,12 @@ Vec3 sum_of(std::span<const FormFactors::Link> links, std::span<const Sides<Vec3
     return sum;
 }
 
+/// Which side of a vertex is on that side of a triangle: vertices may have been written for the other one.
+std::size_t vertex_side(const FormFactors& factors, const Surfaces& surfaces, std::uint32_t triangle,
+                        std::uint32_t vertex, std::size_t side) {
+    return dot(factors.face(triangle), surfaces.normals[vertex]) < 0 ? 1 - side : side;
+}
+
 class Solver {
 public:
     Solver(const FormFactors& factors, const Surfaces& surfaces, const SurfaceLight& light)
@@ -85,7 +91,7 @@ public:
     Exchanged run(int bounces, const ShareSink& progress, const StopFlag& stop) {
         Exchanged result;
         result.received.resize(surfaces_.positions.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
-        result.nodes = node_light(result.received);
+        result.nodes = radiance_of_nodes(factors_, surfaces_, light_, result.received);
         if (!find_links(progress, stop)) {
             result.stopped = true;
             const Vec3 ambient = ambient_light();
@@ -95,7 +101,7 @@ public:
         for (int bounce = 1;; ++bounce) {
             result.received = received(result.nodes);
             if (bounce >= bounces || stop.requested()) break;
-            std::vector<Sides<Vec3>> next = node_light(result.received);
+            std::vector<Sides<Vec3>> next = radiance_of_nodes(factors_, surfaces_, light_, result.received);
             const double change = std::abs(power(next) - power(result.nodes));
             const bool ends = change < kLeastChange * power(next);
             result.nodes = std::move(next);
@@ -122,35 +128,6 @@ private:
         });
     }
 
-    /// Which side of a vertex is on that side of a triangle: vertices may have been written for the other one.
-    [[nodiscard]] std::size_t vertex_side(std::uint32_t triangle, std::uint32_t vertex, std::size_t side) const {
-        return dot(factors_.face(triangle), surfaces_.normals[vertex]) < 0 ? 1 - side : side;
-    }
-
-    /// What triangles send out who receive that, and the groups that they are in: the means by area.
-    [[nodiscard]] std::vector<Sides<Vec3>> node_light(const std::vector<Sides<Vec3>>& received) const {
-        const std::vector<ElementTree::Node>& nodes = tree_.nodes();
-        std::vector<Sides<Vec3>> light(nodes.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
-        // Children come after their parents.
-        for (std::size_t n = nodes.size(); n-- > 0;)
-            for (std::size_t side = 0; side < 2; ++side) {
-                Vec3& sum = light[n][side];
-                if (nodes[n].is_leaf()) {
-                    for (const std::uint32_t v : surfaces_.triangles[nodes[n].middle]) {
-                        const std::size_t s = vertex_side(nodes[n].middle, v, side);
-                        sum += light_.source[v][s] + light_.reflectance[v][s] * received[v][s];
-                    }
-                    sum *= 1 / 3.0F;
-                    continue;
-                }
-                const std::size_t left = n + 1, right = nodes[n].right;
-                const float area = nodes[left].area + nodes[right].area;
-                const float share = area > 0 ? nodes[left].area / area : 0.5F;
-                sum = light[left][side] * share + light[right][side] * (1 - share);
-            }
-        return light;
-    }
-
     /// What vertices receive: the mean of the patches around.
     [[nodiscard]] std::vector<Sides<Vec3>> received(const std::vector<Sides<Vec3>>& nodes) const {
         std::vector<Sides<Vec3>> at_patches(patches_.size());
@@ -166,7 +143,7 @@ private:
                 const std::uint32_t t = tree_.order()[i];
                 for (const std::uint32_t v : surfaces_.triangles[t]) {
                     for (std::size_t side = 0; side < 2; ++side)
-                        at_vertices[v][vertex_side(t, v, side)] += at_patches[p][side];
+                        at_vertices[v][vertex_side(factors_, surfaces_, t, v, side)] += at_patches[p][side];
                     count[v] += 1;
                 }
             }
@@ -213,6 +190,31 @@ private:
 };
 
 }  // namespace
+
+std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces,
+                                           const SurfaceLight& light, std::span<const Sides<Vec3>> received) {
+    const std::vector<ElementTree::Node>& nodes = factors.tree().nodes();
+    std::vector<Sides<Vec3>> radiance(nodes.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+    // Children come after their parents.
+    for (std::size_t n = nodes.size(); n-- > 0;)
+        for (std::size_t side = 0; side < 2; ++side) {
+            Vec3& sum = radiance[n][side];
+            if (nodes[n].is_leaf()) {
+                const std::uint32_t triangle = nodes[n].middle;
+                for (const std::uint32_t v : surfaces.triangles[triangle]) {
+                    const std::size_t s = vertex_side(factors, surfaces, triangle, v, side);
+                    sum += light.source[v][s] + light.reflectance[v][s] * received[v][s];
+                }
+                sum *= 1 / 3.0F;
+                continue;
+            }
+            const std::size_t left = n + 1, right = nodes[n].right;
+            const float area = nodes[left].area + nodes[right].area;
+            const float share = area > 0 ? nodes[left].area / area : 0.5F;
+            sum = radiance[left][side] * share + radiance[right][side] * (1 - share);
+        }
+    return radiance;
+}
 
 Exchanged exchange(const FormFactors& factors, const Surfaces& surfaces, const SurfaceLight& light, int bounces,
                    const ShareSink& progress, const StopFlag& stop) {

@@ -21,6 +21,10 @@ struct SurfaceLight {
     std::vector<Sides<Vec3>> reflectance;
 };
 
+/// Radiance of the nodes of factors.tree(), the means by area, where vertices receive that much.
+std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces,
+                                           const SurfaceLight& light, std::span<const Sides<Vec3>> received);
+
 /// What patches have told each other.
 struct Exchanged {
     std::vector<Sides<Vec3>> nodes;     ///< Radiance of FormFactors::tree()'s nodes, all bounces but the last counted.

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "bake_scenes.h"
 #include "bake/write_glb.h"
+#include "bake_scenes.h"
 #include "base/test_folder.h"
 
 namespace sundog::bake {

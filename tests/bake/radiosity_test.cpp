@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake_scenes.h"
 #include "bake/matt.h"
+#include "bake_scenes.h"
 
 namespace sundog::bake {
 namespace {
@@ -36,7 +36,10 @@ void expect_furnace(const BakedScene& room) {
     for (const Part& part : room.parts)
         for (const Vec3& light : part.light) {
             const std::size_t DBG = &light - part.light.data();
-            if (std::abs(light.x - 1.25F) > 0.06F) printf("DBG %g %g %g  inside %g %g %g  n %g %g %g  %g\n", part.positions[DBG].x, part.positions[DBG].y, part.positions[DBG].z, part.inside[DBG].x, part.inside[DBG].y, part.inside[DBG].z, part.normals[DBG].x, part.normals[DBG].y, part.normals[DBG].z, light.x);
+            if (std::abs(light.x - 1.25F) > 0.06F)
+                printf("DBG %g %g %g  inside %g %g %g  n %g %g %g  %g\n", part.positions[DBG].x, part.positions[DBG].y,
+                       part.positions[DBG].z, part.inside[DBG].x, part.inside[DBG].y, part.inside[DBG].z,
+                       part.normals[DBG].x, part.normals[DBG].y, part.normals[DBG].z, light.x);
             mean += light.x / static_cast<double>(room.vertices);
             EXPECT_NEAR(light.x, 1.25F, 0.06F);
             EXPECT_NEAR(light.y, light.x / 2, 1e-4F);
