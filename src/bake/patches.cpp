@@ -216,6 +216,17 @@ scene::Mesh mesh_of(const scene::Sphere& ball, scene::Index material, float long
     return mesh;
 }
 
+/// Brings vertices that came between a ball's first ones up to the ball.
+void round_off(const scene::Sphere& ball, const Affine3& world_from_object, Part& part) {
+    const Affine3 object_from_world = inverse(world_from_object);
+    for (std::size_t v = 0; v < part.positions.size(); ++v) {
+        const Vec3 out = unit(transform_point(object_from_world, part.positions[v]) - ball.center);
+        const Vec3 normal = moved_normal(world_from_object, out);
+        part.positions[v] = transform_point(world_from_object, ball.center + out * ball.radius);
+        part.normals[v] = dot(normal, part.normals[v]) < 0 ? normal * -1 : normal;
+    }
+}
+
 }  // namespace
 
 std::vector<Part> parts_of(const scene::Scene& scene, float time_s, float longest_edge, const WarningSink& warn) {
@@ -239,6 +250,11 @@ std::vector<Part> parts_of(const scene::Scene& scene, float time_s, float longes
     for (Part& part : parts) {
         part.undivided = part.triangles;
         Divider(part, longest_edge).run();
+        const scene::Object& object = scene.objects[part.source];
+        if (const auto* ball = std::get_if<scene::Sphere>(&object.shape)) {
+            round_off(*ball, scene::transform_at(object, time_s), part);
+            part.undivided = part.triangles;
+        }
         find_insides(part);
     }
     return parts;

@@ -22,7 +22,7 @@ struct Part {
     std::vector<Vec2> texcoords;  ///< v upwards; 0 where the object has none.
     std::vector<Vec3> inside;     ///< A place beside each vertex in the middle of a face, where its light is asked.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::vector<std::array<std::uint32_t, 3>> undivided;  ///< The same surface as it was before.
+    std::vector<std::array<std::uint32_t, 3>> undivided;  ///< The same surface in as few as will do.
     std::vector<Vec3> light;  ///< Once baked: linear RGB radiance; of textured materials, what it is of white ones.
 };
 

@@ -38,6 +38,29 @@ TEST(Bake, AFurnace) {
     EXPECT_NEAR(mean, 1.25, 0.01);
 }
 
+// In such a room a matt ball is as bright as the room, times what it reflects. Catches vertices between a ball's own
+// ones that lie below it, where rays begin inside, and rays that are lost because they were taken for coherent.
+TEST(Bake, ABallInAFurnace) {
+    scene::Scene s = empty_scene();
+    add_shape(s, scene::Box{{-2, -2, -2}, {2, 2, 2}}, add_material(s, shining({1, 1, 1}, {0, 0, 0})));
+    add_shape(s, scene::Sphere{{0.3F, 0, 0}, 0.75F}, add_material(s, matt({0.9F, 0.9F, 0.9F})));
+    BakeOptions options;
+    options.longest_edge = 0.15F;
+    options.samples = 16;
+    for (const Method method : {Method::paths, Method::radiosity}) {
+        options.method = method;
+        const BakedScene scene = baked(s, options);
+        const Part& ball = scene.parts.back();
+        EXPECT_GT(ball.positions.size(), 500U);
+        for (std::size_t i = 0; i < ball.positions.size(); ++i) {
+            const Vec3 out = (ball.positions[i] - Vec3{0.3F, 0, 0}) / 0.75F;
+            EXPECT_NEAR(length(out), 1, 1e-5F);
+            EXPECT_GT(dot(out, ball.normals[i]), 0.9999F);
+            EXPECT_NEAR(ball.light[i].x, 0.9F, 0.03F);
+        }
+    }
+}
+
 // Opposite a shining rectangle's middle, light is r L times the share of the view that it takes (Howell, A Catalog of
 // Radiation Heat Transfer Configuration Factors, B-3). Catches a measure of light that differs from form factors'.
 TEST(Bake, AFormFactor) {
