@@ -28,6 +28,8 @@ public:
         std::uint32_t middle;        ///< The triangle whose middle is nearest to the centre.
         /// As good as a plane: its triangles face one way.
         [[nodiscard]] bool is_flat() const { return projected > 0.95F * area; }
+        /// Its triangles lie in one plane, or in planes side by side.
+        [[nodiscard]] bool is_plane() const { return projected > 0.9999F * area; }
         [[nodiscard]] bool is_leaf() const { return right == 0; }
     };
 

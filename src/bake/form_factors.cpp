@@ -40,6 +40,11 @@ bool FormFactors::sees(const Receiver& receiver, Vec3 place, Vec3 normal) const 
     return !occluders_.between(receiver.origin, place + normal * off);
 }
 
+bool FormFactors::is_walled(Vec3 a, Vec3 b, Vec3 normal) const {
+    const Vec3 off = normal * lift_;
+    return occluders_.between(a + off, b + off) || occluders_.between(a - off, b - off);
+}
+
 float FormFactors::share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, float most,
                             int level) const {
     // A surface doesn't see itself, though rounding may say so.

@@ -52,6 +52,10 @@ public:
     /// A triangle's unit normal, by the order of its corners.
     [[nodiscard]] Vec3 face(std::uint32_t triangle) const { return faces_[triangle]; }
 
+    /// Whether something stands on the surface between two of its points, on either of its sides: then light on both
+    /// sides of that has nothing in common.
+    [[nodiscard]] bool is_walled(Vec3 a, Vec3 b, Vec3 normal) const;
+
     static constexpr float kMostShare = 1.0F / 256;
 
 private:

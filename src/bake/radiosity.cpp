@@ -27,33 +27,67 @@ struct Patch {
     std::uint32_t vertex;  ///< Where its light arrives: nearest to its centre.
 };
 
-std::vector<Patch> patches_of(const ElementTree& tree, const Surfaces& surfaces) {
-    const std::size_t most = std::max(kPatchTriangles, surfaces.triangles.size() / kMostPatches);
-    std::vector<Patch> patches;
-    std::vector<std::uint32_t> stack;
-    if (!tree.nodes().empty()) stack.push_back(0);
-    while (!stack.empty()) {
-        const std::uint32_t number = stack.back();
-        stack.pop_back();
-        const ElementTree::Node& node = tree.nodes()[number];
-        if (!node.is_leaf() && (node.count > most || !node.is_flat())) {
+Vec3 middle_of(const Surfaces& surfaces, std::size_t triangle) {
+    const TriangleIndices& t = surfaces.triangles[triangle];
+    return (surfaces.positions[t[0]] + surfaces.positions[t[1]] + surfaces.positions[t[2]]) / 3;
+}
+
+/// Groups of triangles that face one way and that no wall divides.
+class PatchFinder {
+public:
+    PatchFinder(const FormFactors& factors, const Surfaces& surfaces,
+                const std::vector<std::array<float, 3>>& corner_weights)
+        : factors_(factors), tree_(factors.tree()), surfaces_(surfaces), corner_weights_(corner_weights) {}
+
+    [[nodiscard]] std::vector<Patch> run() const {
+        const std::size_t most = std::max(kPatchTriangles, surfaces_.triangles.size() / kMostPatches);
+        std::vector<Patch> patches;
+        std::vector<std::uint32_t> stack;
+        if (!tree_.nodes().empty()) stack.push_back(0);
+        while (!stack.empty()) {
+            const std::uint32_t number = stack.back();
+            stack.pop_back();
+            const ElementTree::Node& node = tree_.nodes()[number];
+            const Patch patch{number, node.count <= most ? middle_vertex(node) : 0};
+            if (node.is_leaf() || (node.count <= most && node.is_flat() && !is_divided(node, patch.vertex))) {
+                patches.push_back(patch);
+                continue;
+            }
             stack.push_back(node.right);
             stack.push_back(number + 1);
-            continue;
         }
-        Patch patch{number, 0};
+        return patches;
+    }
+
+private:
+    [[nodiscard]] std::uint32_t middle_vertex(const ElementTree::Node& node) const {
+        std::uint32_t middle = 0;
         float nearest = std::numeric_limits<float>::infinity();
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            for (const std::uint32_t v : surfaces.triangles[tree.order()[i]]) {
-                const float away = length(surfaces.inside[v] - node.center);
-                if (away >= nearest) continue;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t t = tree_.order()[i], v = surfaces_.triangles[t][k];
+                const float away = length(surfaces_.inside[v] - node.center);
+                if (away >= nearest || !(corner_weights_[t][k] > 0)) continue;
                 nearest = away;
-                patch.vertex = v;
+                middle = v;
             }
-        patches.push_back(patch);
+        return middle;
     }
-    return patches;
-}
+
+    /// In a bent surface, its own triangles stand in between: it isn't asked.
+    [[nodiscard]] bool is_divided(const ElementTree::Node& node, std::uint32_t vertex) const {
+        if (!node.is_plane()) return false;
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+            if (factors_.is_walled(middle_of(surfaces_, tree_.order()[i]), surfaces_.inside[vertex], node.axis))
+                return true;
+        return false;
+    }
+
+    const FormFactors& factors_;
+    const ElementTree& tree_;
+    const Surfaces& surfaces_;
+    const std::vector<std::array<float, 3>>& corner_weights_;
+};
 
 /// Calls done(begin, end) for parts of [0, count), one after the other, until it is stopped; false if it was.
 template <class Done>
@@ -86,12 +120,13 @@ public:
           surfaces_(surfaces),
           light_(light),
           tree_(factors.tree()),
-          patches_(patches_of(tree_, surfaces)) {}
+          corner_weights_(corner_weights(factors, surfaces)),
+          patches_(PatchFinder(factors, surfaces, corner_weights_).run()) {}
 
     Exchanged run(int bounces, const ShareSink& progress, const StopFlag& stop) {
         Exchanged result;
         result.received.resize(surfaces_.positions.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
-        result.nodes = radiance_of_nodes(factors_, surfaces_, light_, result.received);
+        result.nodes = radiance_of_nodes(factors_, surfaces_, corner_weights_, light_, result.received);
         if (!find_links(progress, stop)) {
             result.stopped = true;
             const Vec3 ambient = ambient_light();
@@ -101,7 +136,8 @@ public:
         for (int bounce = 1;; ++bounce) {
             result.received = received(result.nodes);
             if (bounce >= bounces || stop.requested()) break;
-            std::vector<Sides<Vec3>> next = radiance_of_nodes(factors_, surfaces_, light_, result.received);
+            std::vector<Sides<Vec3>> next =
+                radiance_of_nodes(factors_, surfaces_, corner_weights_, light_, result.received);
             const double change = std::abs(power(next) - power(result.nodes));
             const bool ends = change < kLeastChange * power(next);
             result.nodes = std::move(next);
@@ -128,7 +164,7 @@ private:
         });
     }
 
-    /// What vertices receive: the mean of the patches around.
+    /// What vertices receive: the mean of the patches around, of those triangles that no wall parts from them.
     [[nodiscard]] std::vector<Sides<Vec3>> received(const std::vector<Sides<Vec3>>& nodes) const {
         std::vector<Sides<Vec3>> at_patches(patches_.size());
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, patches_.size(), 64), [&](const auto& range) {
@@ -141,15 +177,18 @@ private:
             const ElementTree::Node& node = tree_.nodes()[patches_[p].node];
             for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
                 const std::uint32_t t = tree_.order()[i];
-                for (const std::uint32_t v : surfaces_.triangles[t]) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::uint32_t v = surfaces_.triangles[t][k];
+                    // Little is better than nothing, where all are parted from it.
+                    const float weight = std::max(corner_weights_[t][k], 1e-6F);
                     for (std::size_t side = 0; side < 2; ++side)
-                        at_vertices[v][vertex_side(factors_, surfaces_, t, v, side)] += at_patches[p][side];
-                    count[v] += 1;
+                        at_vertices[v][vertex_side(factors_, surfaces_, t, v, side)] += at_patches[p][side] * weight;
+                    count[v] += weight;
                 }
             }
         }
         for (std::size_t v = 0; v < at_vertices.size(); ++v)
-            for (Vec3& light : at_vertices[v]) light = light / std::max(count[v], 1.0F);
+            for (Vec3& light : at_vertices[v]) light = count[v] > 0 ? light / count[v] : Vec3{0, 0, 0};
         return at_vertices;
     }
 
@@ -185,13 +224,34 @@ private:
     const Surfaces& surfaces_;
     const SurfaceLight& light_;
     const ElementTree& tree_;
+    std::vector<std::array<float, 3>> corner_weights_;
     std::vector<Patch> patches_;
     std::vector<Sides<std::vector<FormFactors::Link>>> links_;
 };
 
 }  // namespace
 
+std::vector<std::array<float, 3>> corner_weights(const FormFactors& factors, const Surfaces& surfaces) {
+    std::vector<std::array<float, 3>> weights(surfaces.triangles.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, weights.size(), 256), [&](const auto& range) {
+        for (std::size_t t = range.begin(); t < range.end(); ++t) {
+            const TriangleIndices& corners = surfaces.triangles[t];
+            const Vec3 middle = middle_of(surfaces, t);
+            float sum = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                // Short of the corner, which may be the wall's as well.
+                const Vec3 near = surfaces.positions[corners[k]] * 0.9F + middle * 0.1F;
+                weights[t][k] = factors.is_walled(middle, near, factors.face(static_cast<std::uint32_t>(t))) ? 0 : 1;
+                sum += weights[t][k];
+            }
+            for (float& w : weights[t]) w = sum > 0 ? w / sum : 1 / 3.0F;
+        }
+    });
+    return weights;
+}
+
 std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces,
+                                           std::span<const std::array<float, 3>> corner_weights,
                                            const SurfaceLight& light, std::span<const Sides<Vec3>> received) {
     const std::vector<ElementTree::Node>& nodes = factors.tree().nodes();
     std::vector<Sides<Vec3>> radiance(nodes.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
@@ -201,11 +261,12 @@ std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Sur
             Vec3& sum = radiance[n][side];
             if (nodes[n].is_leaf()) {
                 const std::uint32_t triangle = nodes[n].middle;
-                for (const std::uint32_t v : surfaces.triangles[triangle]) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const std::uint32_t v = surfaces.triangles[triangle][k];
                     const std::size_t s = vertex_side(factors, surfaces, triangle, v, side);
-                    sum += light.source[v][s] + light.reflectance[v][s] * received[v][s];
+                    sum +=
+                        (light.source[v][s] + light.reflectance[v][s] * received[v][s]) * corner_weights[triangle][k];
                 }
-                sum *= 1 / 3.0F;
                 continue;
             }
             const std::size_t left = n + 1, right = nodes[n].right;

@@ -21,8 +21,13 @@ struct SurfaceLight {
     std::vector<Sides<Vec3>> reflectance;
 };
 
+/// How much each vertex says about the middle of its triangle, for all triangles: nothing where something stands in
+/// between, so that no light leaks through walls that stand across triangles. They add up to 1.
+std::vector<std::array<float, 3>> corner_weights(const FormFactors& factors, const Surfaces& surfaces);
+
 /// Radiance of the nodes of factors.tree(), the means by area, where vertices receive that much.
 std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces,
+                                           std::span<const std::array<float, 3>> corner_weights,
                                            const SurfaceLight& light, std::span<const Sides<Vec3>> received);
 
 /// What patches have told each other.
