@@ -20,17 +20,35 @@ constexpr float kMostReflectance = 0.99F;
 /// Form factors of what shines are at most so many times finer than others.
 constexpr float kMostDetail = 64;
 
-Surfaces surfaces_of(const std::vector<Part>& parts) {
+/// What stops light: all parts, in as few triangles as will do.
+struct Blockers {
+    std::vector<TriangleIndices> triangles;
+    std::vector<std::size_t> parts;  ///< Of each of them.
+};
+
+Surfaces vertices_of(const std::vector<Part>& parts) {
     Surfaces surfaces;
     for (const Part& part : parts) {
-        const auto first = static_cast<std::uint32_t>(surfaces.positions.size());
         surfaces.positions.insert(surfaces.positions.end(), part.positions.begin(), part.positions.end());
         surfaces.normals.insert(surfaces.normals.end(), part.normals.begin(), part.normals.end());
         surfaces.inside.insert(surfaces.inside.end(), part.inside.begin(), part.inside.end());
-        for (const auto& t : part.triangles) surfaces.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-        for (const auto& t : part.undivided) surfaces.occluders.push_back({first + t[0], first + t[1], first + t[2]});
     }
     return surfaces;
+}
+
+TriangleIndices moved(const TriangleIndices& t, std::size_t first) {
+    const auto by = static_cast<std::uint32_t>(first);
+    return {by + t[0], by + t[1], by + t[2]};
+}
+
+Blockers blockers_of(const std::vector<Part>& parts) {
+    Blockers blockers;
+    for (std::size_t p = 0, first = 0; p < parts.size(); first += parts[p].positions.size(), ++p)
+        for (const TriangleIndices& t : parts[p].undivided) {
+            blockers.triangles.push_back(moved(t, first));
+            blockers.parts.push_back(p);
+        }
+    return blockers;
 }
 
 /// A scene's own numbers as linear light (linear_light() of kernel/integrators/path.h).
@@ -55,15 +73,21 @@ public:
           parts_(parts),
           progress_(progress),
           stop_(stop),
-          surfaces_(surfaces_of(parts)),
+          surfaces_(vertices_of(parts)),
+          blockers_(blockers_of(parts)),
+          occluders_(surfaces_.positions, blockers_.triangles, options.threads),
+          lift_(lift_of(surfaces_.positions)),
           back_(surfaces_.positions.size(), 0),
           received_(surfaces_.positions.size(), Vec3{0, 0, 0}),
           stopped_(direct_.stopped) {}
 
     bool run(const ShiningSurfaces& shining) {
+        for (std::size_t p = 0, first = 0; p < parts_.size(); first += parts_[p].positions.size(), ++p)
+            for (const TriangleIndices& t : parts_[p].triangles)
+                if (!is_covered(p, t)) surfaces_.triangles.push_back(moved(t, first));
         add_shining(shining);
         if (options_.max_depth > 0) {
-            const FormFactors factors(surfaces_, {}, options_.threads);
+            const FormFactors factors(surfaces_, occluders_, {});
             const Exchanged exchanged =
                 exchange(factors, surfaces_, light_before(), options_.max_depth, part_of_work(0.6, 0.7), stop_);
             choose_sides(exchanged.received);
@@ -92,6 +116,16 @@ private:
         };
     }
 
+    /// Where surfaces lie upon each other, as a block's bottom on a floor, only the first part's counts: who looks at
+    /// them would see both.
+    [[nodiscard]] bool is_covered(std::size_t part, const TriangleIndices& t) const {
+        const auto place = [&](std::size_t k) { return parts_[part].positions[t[k]]; };
+        const Vec3 middle = (place(0) + place(1) + place(2)) / 3;
+        const Vec3 off = normalize(cross(place(1) - place(0), place(2) - place(0))) * lift_;
+        const std::optional<std::uint32_t> first = occluders_.first_between(middle + off, middle - off);
+        return first && blockers_.parts[*first] < part;
+    }
+
     /// Adds what comes to vertices from surfaces that shine but weren't aimed at.
     void add_shining(const ShiningSurfaces& shining) {
         Surfaces lamps = surfaces_;
@@ -114,9 +148,8 @@ private:
                 area += size;
                 Vec3 most{0, 0, 0};
                 for (const std::uint32_t v : t) most = max(most, max(own(v, false), own(v, true)));
-                if (aimed_at || !(luminance(most) > 0)) continue;
-                const auto at = [&](std::uint32_t v) { return static_cast<std::uint32_t>(first) + v; };
-                lamps.triangles.push_back({at(t[0]), at(t[1]), at(t[2])});
+                if (aimed_at || !(luminance(most) > 0) || is_covered(p, t)) continue;
+                lamps.triangles.push_back(moved(t, first));
                 brightness.push_back(luminance(most));
                 sum += most * size;
             }
@@ -125,7 +158,7 @@ private:
         // What one ray brings is to be little of what there is on average.
         const Vec3 mean = sum / area;
         for (float& b : brightness) b = std::clamp(b / luminance(mean), 1.0F, kMostDetail);
-        const FormFactors factors(lamps, brightness, options_.threads);
+        const FormFactors factors(lamps, occluders_, brightness);
         const std::vector<Sides<Vec3>> nodes =
             radiance_of_nodes(factors, lamps, corner_weights(factors, lamps), light, light.source);
         for (std::uint8_t side = 0; side < 2; ++side) {
@@ -200,6 +233,9 @@ private:
     const ProgressSink& progress_;
     const StopFlag& stop_;
     Surfaces surfaces_;
+    Blockers blockers_;
+    cpu::TriangleOccluders occluders_;
+    float lift_;
     std::vector<std::uint8_t> back_;  ///< 1 where a vertex's part is turned.
     std::vector<Vec3> received_;      ///< By exchange, on the side that counts.
     bool stopped_;

@@ -16,17 +16,21 @@ constexpr int kMostLevels = 3;
 
 }  // namespace
 
-FormFactors::FormFactors(const Surfaces& surfaces, std::span<const float> detail, int threads)
-    : tree_(surfaces.positions, surfaces.triangles), occluders_(surfaces.positions, surfaces.occluders, threads) {
+float lift_of(std::span<const Vec3> positions) {
+    float largest = 0;
+    for (const Vec3 p : positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    // As the kernel's hit_error: 64 units in the last place of the largest number involved.
+    return largest * 3.8146973e-6F;
+}
+
+FormFactors::FormFactors(const Surfaces& surfaces, const cpu::TriangleOccluders& occluders,
+                         std::span<const float> detail)
+    : tree_(surfaces.positions, surfaces.triangles), occluders_(occluders), lift_(lift_of(surfaces.positions)) {
     for (const TriangleIndices& t : surfaces.triangles) {
         const Corners corners{surfaces.positions[t[0]], surfaces.positions[t[1]], surfaces.positions[t[2]]};
         corners_.push_back(corners);
         faces_.push_back(normalize(cross(corners.b - corners.a, corners.c - corners.a)));
     }
-    float largest = 0;
-    for (const Vec3 p : surfaces.positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    // As the kernel's hit_error: 64 units in the last place of the largest number involved.
-    lift_ = largest * 3.8146973e-6F;
     const std::vector<ElementTree::Node>& nodes = tree_.nodes();
     most_.resize(nodes.size(), kMostShare);
     // Children come after their parents.

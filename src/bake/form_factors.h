@@ -16,8 +16,10 @@ struct Surfaces {
     std::vector<Vec3> normals;  ///< Unit; a vertex's front is where it points.
     std::vector<Vec3> inside;   ///< Where the light of each vertex arrives: beside it, in the middle of a face.
     std::vector<TriangleIndices> triangles;
-    std::vector<TriangleIndices> occluders;  ///< What stops light: the same surfaces, in as few triangles as will do.
 };
+
+/// How far off surfaces rays begin and end, for rounding.
+float lift_of(std::span<const Vec3> positions);
 
 /// Something for the front and the back of a surface.
 template <class T>
@@ -37,9 +39,9 @@ public:
         std::vector<std::uint32_t> stack;
     };
 
-    /// Keeps no reference to `surfaces`. `detail`, for each triangle: how many times smaller than kMostShare its shares
-    /// are to be, 1 or more; empty: 1 for all. Builds on `threads` threads (0: all). Errors: DeviceError.
-    FormFactors(const Surfaces& surfaces, std::span<const float> detail, int threads);
+    /// `occluders`, which must outlive this, stop light; no reference to `surfaces` is kept. `detail`, for each
+    /// triangle: how many times smaller than kMostShare its shares are to be, 1 or more; empty: 1 for all.
+    FormFactors(const Surfaces& surfaces, const cpu::TriangleOccluders& occluders, std::span<const float> detail);
 
     /// Puts all that a point of a surface sees into query.links, in an order that doesn't vary. Nodes are as large as
     /// their shares allow, so links are about as many, however fine triangles are: each has a share of at most
@@ -77,8 +79,8 @@ private:
     std::vector<Vec3> faces_;  ///< Unit normals of triangles.
     std::vector<float> most_;  ///< The largest share of each node.
     ElementTree tree_;
-    cpu::TriangleOccluders occluders_;
-    float lift_ = 0;  ///< How far off surfaces rays begin and end.
+    const cpu::TriangleOccluders& occluders_;
+    float lift_;
 };
 
 }  // namespace sundog::bake

@@ -89,7 +89,6 @@ public:
                 surfaces_.triangles.push_back({a, b, c});
                 surfaces_.triangles.push_back({a, c, d});
             }
-        surfaces_.occluders = surfaces_.triangles;
         first_.push_back(first);
     }
 
@@ -107,7 +106,8 @@ public:
             light.source.push_back({Vec3{sent, sent, sent}, Vec3{0, 0, 0}});
             light.reflectance.push_back({Vec3{0, 0, 0}, Vec3{0, 0, 0}});
         }
-        const FormFactors factors(surfaces_, {}, 1);
+        const cpu::TriangleOccluders occluders(surfaces_.positions, surfaces_.triangles, 1);
+        const FormFactors factors(surfaces_, occluders, {});
         const StopFlag stop;
         const Exchanged exchanged = exchange(factors, surfaces_, light, 1, {}, stop);
         std::vector<Vec3> received(vertices());

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "base/vec.h"
@@ -25,6 +26,9 @@ public:
     /// Whether a triangle is met between the two points. Who asks from a surface, or towards one, moves the ends off
     /// it.
     [[nodiscard]] bool between(Vec3 from, Vec3 to) const;
+
+    /// The first in number of all triangles that are met between the two points; none if none is.
+    [[nodiscard]] std::optional<std::uint32_t> first_between(Vec3 from, Vec3 to) const;
 
 private:
     struct Embree;
