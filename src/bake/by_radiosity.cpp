@@ -160,7 +160,7 @@ private:
         for (float& b : brightness) b = std::clamp(b / luminance(mean), 1.0F, kMostDetail);
         const FormFactors factors(lamps, occluders_, brightness);
         const std::vector<Sides<Vec3>> nodes =
-            radiance_of_nodes(factors, lamps, corner_weights(factors, lamps), light, light.source);
+            radiance_of_nodes(factors, lamps, weights_of(factors, lamps), light, light.source);
         for (std::uint8_t side = 0; side < 2; ++side) {
             const std::vector<std::uint8_t> back(received_.size(), side);
             // Where it is stopped, the mean stands for what wasn't found.

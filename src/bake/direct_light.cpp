@@ -48,6 +48,8 @@ bool anything_shines(const RenderScene& compiled) {
 
 /// How much of the baking this is, as progress tells it.
 constexpr double kShare = 0.5;
+/// By how much a plain sky is made brighter than all that shines: a power of 2, so that nothing is rounded.
+constexpr float kBrighter = 1U << 30U;
 
 /// Renders all vertices, again and again.
 class Passes {
@@ -136,13 +138,18 @@ DirectLight direct_light(const RenderScene& compiled, Session& session, const Fr
     }
     if (!sized.empty()) aims.push_back({std::move(sized), options.samples});
 
-    // The difference of what is seen with the sky and without is the sky, whatever else shines.
+    // What rays to the sky meet may shine as well. A plain sky is made so bright that this doesn't count; of others,
+    // that is seen without them, too, and taken off.
     std::vector<Frame> views;
-    const bool has_sky = !is_black(frame.params.sky) || frame.params.sky_layer_count > 0;
+    const bool is_plain = frame.params.sky_layer_count == 0;
+    const bool has_sky = !is_black(frame.params.sky) || !is_plain;
     if (has_sky && (frame.params.features & kernel::FEATURE_ENVIRONMENT) == 0) {
         views.push_back(with_emitters(ended, {}));
         views[0].camera_rays = std::make_shared<ViewRays>(pixels, distance);
-        if (anything_shines(compiled)) {
+        if (is_plain) {
+            const kernel::vec3& sky = frame.params.sky;
+            views[0].params.sky = {sky.x * kBrighter, sky.y * kBrighter, sky.z * kBrighter};
+        } else if (anything_shines(compiled)) {
             views.push_back(views[0]);
             views[1].params.sky = {0, 0, 0};
             views[1].params.sky_layer_count = 0;
@@ -161,8 +168,8 @@ DirectLight direct_light(const RenderScene& compiled, Session& session, const Fr
     }
     for (std::size_t v = 0; v < views.size(); ++v) {
         const std::vector<Vec3> seen = passes.render(views[v], options.samples);
-        const float sign = v == 0 ? 1.0F : -1.0F;
-        for (std::size_t i = 0; i < seen.size(); ++i) light.reflected[i] += light.albedo[i] * seen[i] * sign;
+        const float share = v == 1 ? -1.0F : is_plain ? 1 / kBrighter : 1.0F;
+        for (std::size_t i = 0; i < seen.size(); ++i) light.reflected[i] += light.albedo[i] * seen[i] * share;
     }
     light.stopped = passes.stopped();
     return light;

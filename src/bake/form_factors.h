@@ -58,7 +58,7 @@ public:
     /// sides of that has nothing in common.
     [[nodiscard]] bool is_walled(Vec3 a, Vec3 b, Vec3 normal) const;
 
-    static constexpr float kMostShare = 1.0F / 256;
+    static constexpr float kMostShare = 1.0F / 128;
 
 private:
     struct Receiver {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kPatchTriangles = 16;
 constexpr std::size_t kMostPatches = 32768;
 /// The exchange ends when a bounce changes less than this share of all light.
-constexpr double kLeastChange = 1e-3;
+constexpr double kLeastChange = 1e-4;
 /// So much is done between two looks at what the caller wants.
 constexpr std::size_t kChunk = 2048;
 
@@ -35,9 +35,8 @@ Vec3 middle_of(const Surfaces& surfaces, std::size_t triangle) {
 /// Groups of triangles that face one way and that no wall divides.
 class PatchFinder {
 public:
-    PatchFinder(const FormFactors& factors, const Surfaces& surfaces,
-                const std::vector<std::array<float, 3>>& corner_weights)
-        : factors_(factors), tree_(factors.tree()), surfaces_(surfaces), corner_weights_(corner_weights) {}
+    PatchFinder(const FormFactors& factors, const Surfaces& surfaces, const Weights& weights)
+        : factors_(factors), tree_(factors.tree()), surfaces_(surfaces), weights_(weights) {}
 
     [[nodiscard]] std::vector<Patch> run() const {
         const std::size_t most = std::max(kPatchTriangles, surfaces_.triangles.size() / kMostPatches);
@@ -67,7 +66,7 @@ private:
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t t = tree_.order()[i], v = surfaces_.triangles[t][k];
                 const float away = length(surfaces_.inside[v] - node.center);
-                if (away >= nearest || !(corner_weights_[t][k] > 0)) continue;
+                if (away >= nearest || !(weights_.corners[t][k] > 0)) continue;
                 nearest = away;
                 middle = v;
             }
@@ -86,7 +85,7 @@ private:
     const FormFactors& factors_;
     const ElementTree& tree_;
     const Surfaces& surfaces_;
-    const std::vector<std::array<float, 3>>& corner_weights_;
+    const Weights& weights_;
 };
 
 /// Calls done(begin, end) for parts of [0, count), one after the other, until it is stopped; false if it was.
@@ -120,13 +119,13 @@ public:
           surfaces_(surfaces),
           light_(light),
           tree_(factors.tree()),
-          corner_weights_(corner_weights(factors, surfaces)),
-          patches_(PatchFinder(factors, surfaces, corner_weights_).run()) {}
+          weights_(weights_of(factors, surfaces)),
+          patches_(PatchFinder(factors, surfaces, weights_).run()) {}
 
     Exchanged run(int bounces, const ShareSink& progress, const StopFlag& stop) {
         Exchanged result;
         result.received.resize(surfaces_.positions.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
-        result.nodes = radiance_of_nodes(factors_, surfaces_, corner_weights_, light_, result.received);
+        result.nodes = radiance_of_nodes(factors_, surfaces_, weights_, light_, result.received);
         if (!find_links(progress, stop)) {
             result.stopped = true;
             const Vec3 ambient = ambient_light();
@@ -136,8 +135,7 @@ public:
         for (int bounce = 1;; ++bounce) {
             result.received = received(result.nodes);
             if (bounce >= bounces || stop.requested()) break;
-            std::vector<Sides<Vec3>> next =
-                radiance_of_nodes(factors_, surfaces_, corner_weights_, light_, result.received);
+            std::vector<Sides<Vec3>> next = radiance_of_nodes(factors_, surfaces_, weights_, light_, result.received);
             const double change = std::abs(power(next) - power(result.nodes));
             const bool ends = change < kLeastChange * power(next);
             result.nodes = std::move(next);
@@ -180,7 +178,7 @@ private:
                 for (std::size_t k = 0; k < 3; ++k) {
                     const std::uint32_t v = surfaces_.triangles[t][k];
                     // Little is better than nothing, where all are parted from it.
-                    const float weight = std::max(corner_weights_[t][k], 1e-6F);
+                    const float weight = std::max(weights_.corners[t][k], 1e-6F);
                     for (std::size_t side = 0; side < 2; ++side)
                         at_vertices[v][vertex_side(factors_, surfaces_, t, v, side)] += at_patches[p][side] * weight;
                     count[v] += weight;
@@ -194,8 +192,11 @@ private:
 
     /// All that surfaces send out, up to a factor.
     [[nodiscard]] double power(const std::vector<Sides<Vec3>>& nodes) const {
-        if (nodes.empty()) return 0;
-        return luminance(nodes[0][0]) + luminance(nodes[0][1]);
+        double sum = 0;
+        for (std::size_t n = 0; n < nodes.size(); ++n)
+            if (tree_.nodes()[n].is_leaf())
+                sum += (luminance(nodes[n][0]) + luminance(nodes[n][1])) * tree_.nodes()[n].area;
+        return sum;
     }
 
     /// The mean radiance if all that is sent out were shared by all surfaces, times that of all bounces; a surface
@@ -224,34 +225,53 @@ private:
     const Surfaces& surfaces_;
     const SurfaceLight& light_;
     const ElementTree& tree_;
-    std::vector<std::array<float, 3>> corner_weights_;
+    Weights weights_;
     std::vector<Patch> patches_;
     std::vector<Sides<std::vector<FormFactors::Link>>> links_;
 };
 
 }  // namespace
 
-std::vector<std::array<float, 3>> corner_weights(const FormFactors& factors, const Surfaces& surfaces) {
-    std::vector<std::array<float, 3>> weights(surfaces.triangles.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, weights.size(), 256), [&](const auto& range) {
-        for (std::size_t t = range.begin(); t < range.end(); ++t) {
-            const TriangleIndices& corners = surfaces.triangles[t];
-            const Vec3 middle = middle_of(surfaces, t);
-            float sum = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                // Short of the corner, which may be the wall's as well.
-                const Vec3 near = surfaces.positions[corners[k]] * 0.9F + middle * 0.1F;
-                weights[t][k] = factors.is_walled(middle, near, factors.face(static_cast<std::uint32_t>(t))) ? 0 : 1;
-                sum += weights[t][k];
-            }
-            for (float& w : weights[t]) w = sum > 0 ? w / sum : 1 / 3.0F;
+Weights weights_of(const FormFactors& factors, const Surfaces& surfaces) {
+    const std::vector<ElementTree::Node>& nodes = factors.tree().nodes();
+    Weights weights;
+    weights.corners.resize(surfaces.triangles.size());
+    weights.left.resize(nodes.size());
+    const auto corners_of = [&](std::uint32_t t) {
+        const Vec3 middle = middle_of(surfaces, t);
+        std::array<float, 3> corners{};
+        float sum = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            // Short of the corner, which may be the wall's as well.
+            const Vec3 near = surfaces.positions[surfaces.triangles[t][k]] * 0.9F + middle * 0.1F;
+            corners[k] = factors.is_walled(middle, near, factors.face(t)) ? 0 : 1;
+            sum += corners[k];
+        }
+        for (float& w : corners) w = sum > 0 ? w / sum : 1 / 3.0F;
+        return corners;
+    };
+    const auto left_of = [&](std::size_t n) {
+        const ElementTree::Node &node = nodes[n], &left = nodes[n + 1], &right = nodes[node.right];
+        // In a bent surface, its own triangles stand in between: it isn't asked.
+        const auto is_seen = [&](const ElementTree::Node& child) {
+            return !node.is_plane() ||
+                   !factors.is_walled(middle_of(surfaces, node.middle), middle_of(surfaces, child.middle), node.axis);
+        };
+        const bool left_seen = is_seen(left), right_seen = is_seen(right);
+        if (left_seen != right_seen) return left_seen ? 1.0F : 0.0F;
+        const float area = left.area + right.area;
+        return area > 0 ? left.area / area : 0.5F;
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes.size(), 256), [&](const auto& range) {
+        for (std::size_t n = range.begin(); n < range.end(); ++n) {
+            if (nodes[n].is_leaf()) weights.corners[nodes[n].middle] = corners_of(nodes[n].middle);
+            else weights.left[n] = left_of(n);
         }
     });
     return weights;
 }
 
-std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces,
-                                           std::span<const std::array<float, 3>> corner_weights,
+std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces, const Weights& weights,
                                            const SurfaceLight& light, std::span<const Sides<Vec3>> received) {
     const std::vector<ElementTree::Node>& nodes = factors.tree().nodes();
     std::vector<Sides<Vec3>> radiance(nodes.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
@@ -259,20 +279,17 @@ std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Sur
     for (std::size_t n = nodes.size(); n-- > 0;)
         for (std::size_t side = 0; side < 2; ++side) {
             Vec3& sum = radiance[n][side];
-            if (nodes[n].is_leaf()) {
-                const std::uint32_t triangle = nodes[n].middle;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const std::uint32_t v = surfaces.triangles[triangle][k];
-                    const std::size_t s = vertex_side(factors, surfaces, triangle, v, side);
-                    sum +=
-                        (light.source[v][s] + light.reflectance[v][s] * received[v][s]) * corner_weights[triangle][k];
-                }
+            if (!nodes[n].is_leaf()) {
+                const float left = weights.left[n];
+                sum = radiance[n + 1][side] * left + radiance[nodes[n].right][side] * (1 - left);
                 continue;
             }
-            const std::size_t left = n + 1, right = nodes[n].right;
-            const float area = nodes[left].area + nodes[right].area;
-            const float share = area > 0 ? nodes[left].area / area : 0.5F;
-            sum = radiance[left][side] * share + radiance[right][side] * (1 - share);
+            const std::uint32_t triangle = nodes[n].middle;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t v = surfaces.triangles[triangle][k];
+                const std::size_t s = vertex_side(factors, surfaces, triangle, v, side);
+                sum += (light.source[v][s] + light.reflectance[v][s] * received[v][s]) * weights.corners[triangle][k];
+            }
         }
     return radiance;
 }

@@ -21,13 +21,17 @@ struct SurfaceLight {
     std::vector<Sides<Vec3>> reflectance;
 };
 
-/// How much each vertex says about the middle of its triangle, for all triangles: nothing where something stands in
-/// between, so that no light leaks through walls that stand across triangles. They add up to 1.
-std::vector<std::array<float, 3>> corner_weights(const FormFactors& factors, const Surfaces& surfaces);
+/// How light at vertices makes up light at triangles, and that what is told of the groups that they are in: by area,
+/// but for what a wall that stands on them parts from their middle, to which rays go. So no light leaks through walls,
+/// nor is what is behind one taken for what is seen.
+struct Weights {
+    std::vector<std::array<float, 3>> corners;  ///< Of each triangle's vertices; they add up to 1.
+    std::vector<float> left;                    ///< Of the first child of each of FormFactors::tree()'s nodes, of 1.
+};
+Weights weights_of(const FormFactors& factors, const Surfaces& surfaces);
 
-/// Radiance of the nodes of factors.tree(), the means by area, where vertices receive that much.
-std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces,
-                                           std::span<const std::array<float, 3>> corner_weights,
+/// Radiance of the nodes of factors.tree() where vertices receive that much.
+std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces, const Weights& weights,
                                            const SurfaceLight& light, std::span<const Sides<Vec3>> received);
 
 /// What patches have told each other.
@@ -41,7 +45,7 @@ struct Exchanged {
 using ShareSink = std::function<void(double)>;
 
 /// Exchanges light between the patches (groups of neighbouring triangles that face one way), bounce by bounce, until
-/// the next would change less than a thousandth of all light, at most `bounces` times (one or more). Where it is
+/// the next would change less than a ten-thousandth of all light, at most `bounces` times (one or more). Where it is
 /// stopped before form factors are known, what is missing is estimated as in progressive refinement (Cohen, Chen,
 /// Wallace and Greenberg, SIGGRAPH 1988): as if all surfaces saw each other by their areas. The same bits for any
 /// number of threads: those of the calling oneTBB arena.
