@@ -2,6 +2,7 @@
 #include "bake/element_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sundog::bake {
@@ -79,8 +80,11 @@ private:
         node.axis = node.projected > 0 ? facing / node.projected : Vec3{0, 0, 1};
         float nearest = std::numeric_limits<float>::infinity();
         for (const std::uint32_t t : run_of(first, count)) {
-            for (const std::uint32_t v : triangles_[t])
-                node.radius = std::max(node.radius, length(positions_[v] - node.center));
+            for (const std::uint32_t v : triangles_[t]) {
+                const Vec3 away = positions_[v] - node.center;
+                node.radius = std::max(node.radius, length(away));
+                node.thickness = std::max(node.thickness, std::abs(dot(node.axis, away)));
+            }
             const float away = length(elements_[t].middle - node.center);
             if (away >= nearest) continue;
             nearest = away;

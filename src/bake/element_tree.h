@@ -22,14 +22,15 @@ public:
         float radius;                ///< Of a ball around the centre that holds it all.
         Vec3 axis;                   ///< Unit: the mean normal.
         float area;                  ///< Of its triangles.
+        float thickness;             ///< How far it reaches off the plane through its centre across its axis.
         float projected;             ///< Of its triangles as seen along the axis.
         std::uint32_t first, count;  ///< Its triangles: places in order().
         std::uint32_t right;         ///< Its second child; the first one is the next node. 0: one triangle.
         std::uint32_t middle;        ///< The triangle whose middle is nearest to the centre.
-        /// As good as a plane: its triangles face one way.
-        [[nodiscard]] bool is_flat() const { return projected > 0.95F * area; }
-        /// Its triangles lie in one plane, or in planes side by side.
-        [[nodiscard]] bool is_plane() const { return projected > 0.9999F * area; }
+        /// As good as a plane: its triangles face one way, and none is far behind others.
+        [[nodiscard]] bool is_flat() const { return projected > 0.95F * area && thickness < 0.25F * radius; }
+        /// Its triangles lie in one plane.
+        [[nodiscard]] bool is_plane() const { return projected > 0.9999F * area && thickness < 1e-3F * radius; }
         [[nodiscard]] bool is_leaf() const { return right == 0; }
     };
 

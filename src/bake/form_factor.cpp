@@ -36,12 +36,18 @@ float disc_form_factor(Vec3 point, Vec3 normal, Vec3 center, Vec3 axis, float ar
     const Vec3 way = center - point;
     const float distance2 = dot(way, way);
     const float height = dot(normal, way);
-    if (!(height > 0)) return 0;
+    const float parallel = dot(normal, axis);
+    // Heights of a disc's points spread as much as if they lay evenly within this of its middle's.
+    const float reach = std::sqrt(area * std::max(1 - parallel * parallel, 0.0F) * (0.75F / kPi));
+    if (!(height > -reach)) return 0;
+    const bool is_cut = height < reach;
+    const float above = is_cut ? (height + reach) / (2 * reach) : 1;
+    const float mean_height = is_cut ? above * above * reach : height;
     const float per_distance = 1 / std::sqrt(distance2);
-    const float cosine = height * per_distance, cosine_there = dot(axis, way) * per_distance;
+    const float cosine = mean_height * per_distance, cosine_there = dot(axis, way) * per_distance;
     const float size = area / (kPi * distance2);
-    const float oblique = cosine * (2 - 3 * cosine_there * cosine_there) + dot(normal, axis) * cosine_there;
-    return std::max(size * std::abs(cosine_there) * (cosine + size * oblique) / (1 + size), 0.0F);
+    const float oblique = cosine * (2 - 3 * cosine_there * cosine_there) + parallel * cosine_there;
+    return std::max(size * std::abs(cosine_there) * (cosine + above * size * oblique) / (1 + size), 0.0F);
 }
 
 float triangle_form_factor(Vec3 point, Vec3 normal, Vec3 a, Vec3 b, Vec3 c) {

@@ -51,12 +51,19 @@ public:
     void find(Vec3 point, Vec3 normal, Query& query) const;
 
     [[nodiscard]] const ElementTree& tree() const { return tree_; }
+    /// Triangles on which something stands between middle and corners: what is beyond it, seen from the middle, takes
+    /// part as if it were one node more, after those of the tree, in this order.
+    [[nodiscard]] const std::vector<std::uint32_t>& divided() const { return divided_; }
     /// A triangle's unit normal, by the order of its corners.
     [[nodiscard]] Vec3 face(std::uint32_t triangle) const { return faces_[triangle]; }
 
     /// Whether something stands on the surface between two of its points, on either of its sides: then light on both
     /// sides of that has nothing in common.
     [[nodiscard]] bool is_walled(Vec3 a, Vec3 b, Vec3 normal) const;
+    /// Whether something stands on a triangle between its middle and where the light of a corner arrives.
+    [[nodiscard]] bool is_corner_walled(std::uint32_t triangle, std::size_t corner) const {
+        return (walled_[triangle] >> corner & 1) != 0;
+    }
 
     static constexpr float kMostShare = 1.0F / 128;
 
@@ -67,17 +74,28 @@ private:
     struct Corners {
         Vec3 a, b, c;
     };
+    static Vec3 middle_of(const Corners& t) { return (t.a + t.b + t.c) / 3; }
 
     [[nodiscard]] bool sees(const Receiver& receiver, Vec3 place, Vec3 normal) const;
-    /// What is seen of a triangle; parts of it take about `most` each.
-    [[nodiscard]] float share_of(const Receiver& receiver, const Corners& t, Vec3 normal, float area, float most,
-                                 int level) const;
+    /// Of a triangle: of what is on its middle's side of any wall, and beyond.
+    struct Shares {
+        float here = 0, beyond = 0;
+    };
+    /// Adds what is seen of a triangle's part; parts of that take about `most` each.
+    void add_share(const Receiver& receiver, std::uint32_t triangle, const Corners& part, float area, float most,
+                   int level, Shares& shares) const;
+    /// About the middle of what of a triangle is above the horizon, which one of its corners is.
+    [[nodiscard]] static Vec3 part_above(const Receiver& receiver, Corners t);
+    /// Where a node is looked at: in its middle, or in that of its part above the horizon.
+    [[nodiscard]] Vec3 place_of(const Receiver& receiver, const ElementTree::Node& node) const;
     /// The share of a node as a disc, if that is good enough; else negative.
     [[nodiscard]] static float share_of(const Receiver& receiver, const ElementTree::Node& node, float most);
 
     std::vector<Corners> corners_;
     std::vector<Vec3> faces_;  ///< Unit normals of triangles.
     std::vector<float> most_;  ///< The largest share of each node.
+    std::vector<std::uint32_t> divided_;
+    std::vector<std::uint8_t> walled_;  ///< Of each triangle: bits of its corners, for is_corner_walled().
     ElementTree tree_;
     const cpu::TriangleOccluders& occluders_;
     float lift_;

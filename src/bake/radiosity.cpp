@@ -193,7 +193,7 @@ private:
     /// All that surfaces send out, up to a factor.
     [[nodiscard]] double power(const std::vector<Sides<Vec3>>& nodes) const {
         double sum = 0;
-        for (std::size_t n = 0; n < nodes.size(); ++n)
+        for (std::size_t n = 0; n < tree_.nodes().size(); ++n)
             if (tree_.nodes()[n].is_leaf())
                 sum += (luminance(nodes[n][0]) + luminance(nodes[n][1])) * tree_.nodes()[n].area;
         return sum;
@@ -238,13 +238,10 @@ Weights weights_of(const FormFactors& factors, const Surfaces& surfaces) {
     weights.corners.resize(surfaces.triangles.size());
     weights.left.resize(nodes.size());
     const auto corners_of = [&](std::uint32_t t) {
-        const Vec3 middle = middle_of(surfaces, t);
         std::array<float, 3> corners{};
         float sum = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            // Short of the corner, which may be the wall's as well.
-            const Vec3 near = surfaces.positions[surfaces.triangles[t][k]] * 0.9F + middle * 0.1F;
-            corners[k] = factors.is_walled(middle, near, factors.face(t)) ? 0 : 1;
+            corners[k] = factors.is_corner_walled(t, k) ? 0 : 1;
             sum += corners[k];
         }
         for (float& w : corners) w = sum > 0 ? w / sum : 1 / 3.0F;
@@ -274,22 +271,34 @@ Weights weights_of(const FormFactors& factors, const Surfaces& surfaces) {
 std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces, const Weights& weights,
                                            const SurfaceLight& light, std::span<const Sides<Vec3>> received) {
     const std::vector<ElementTree::Node>& nodes = factors.tree().nodes();
-    std::vector<Sides<Vec3>> radiance(nodes.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+    const std::vector<std::uint32_t>& divided = factors.divided();
+    std::vector<Sides<Vec3>> radiance(nodes.size() + divided.size(), {Vec3{0, 0, 0}, Vec3{0, 0, 0}});
+    const auto at_corner = [&](std::uint32_t triangle, std::size_t corner, std::size_t side) {
+        const std::uint32_t v = surfaces.triangles[triangle][corner];
+        const std::size_t s = vertex_side(factors, surfaces, triangle, v, side);
+        return light.source[v][s] + light.reflectance[v][s] * received[v][s];
+    };
     // Children come after their parents.
     for (std::size_t n = nodes.size(); n-- > 0;)
         for (std::size_t side = 0; side < 2; ++side) {
             Vec3& sum = radiance[n][side];
-            if (!nodes[n].is_leaf()) {
+            if (nodes[n].is_leaf()) {
+                const std::uint32_t t = nodes[n].middle;
+                for (std::size_t k = 0; k < 3; ++k) sum += at_corner(t, k, side) * weights.corners[t][k];
+            } else {
                 const float left = weights.left[n];
                 sum = radiance[n + 1][side] * left + radiance[nodes[n].right][side] * (1 - left);
-                continue;
             }
-            const std::uint32_t triangle = nodes[n].middle;
+        }
+    for (std::size_t d = 0; d < divided.size(); ++d)
+        for (std::size_t side = 0; side < 2; ++side) {
+            float count = 0;
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint32_t v = surfaces.triangles[triangle][k];
-                const std::size_t s = vertex_side(factors, surfaces, triangle, v, side);
-                sum += (light.source[v][s] + light.reflectance[v][s] * received[v][s]) * weights.corners[triangle][k];
+                if (!factors.is_corner_walled(divided[d], k)) continue;
+                radiance[nodes.size() + d][side] += at_corner(divided[d], k, side);
+                count += 1;
             }
+            radiance[nodes.size() + d][side] *= 1 / count;
         }
     return radiance;
 }

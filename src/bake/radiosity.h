@@ -30,13 +30,13 @@ struct Weights {
 };
 Weights weights_of(const FormFactors& factors, const Surfaces& surfaces);
 
-/// Radiance of the nodes of factors.tree() where vertices receive that much.
+/// Radiance of the nodes of factors.tree(), then of factors.divided(), where vertices receive that much.
 std::vector<Sides<Vec3>> radiance_of_nodes(const FormFactors& factors, const Surfaces& surfaces, const Weights& weights,
                                            const SurfaceLight& light, std::span<const Sides<Vec3>> received);
 
 /// What patches have told each other.
 struct Exchanged {
-    std::vector<Sides<Vec3>> nodes;     ///< Radiance of FormFactors::tree()'s nodes, all bounces but the last counted.
+    std::vector<Sides<Vec3>> nodes;     ///< As radiance_of_nodes(), all bounces but the last counted.
     std::vector<Sides<Vec3>> received;  ///< Of each vertex: what the patches around it receive.
     bool stopped = false;  ///< Early: `received` is then an ambient term, the same for all, and `nodes` the source.
 };
