@@ -19,7 +19,7 @@ constexpr std::size_t kMostPatches = 32768;
 /// The exchange ends when a bounce changes less than this share of all light.
 constexpr double kLeastChange = 1e-4;
 /// So much is done between two looks at what the caller wants.
-constexpr std::size_t kChunk = 2048;
+constexpr std::size_t kChunk = 512;
 
 /// Receives light in the name of its triangles.
 struct Patch {
