@@ -17,6 +17,7 @@ _sundog() {
         mapfile -t COMPREPLY < <(compgen -W "embree bvh kdtree octree grid boxes none" -- "$word")
         return
       fi ;;
+    --method) mapfile -t COMPREPLY < <(compgen -W "paths radiosity" -- "$word"); return ;;
     --denoiser) mapfile -t COMPREPLY < <(compgen -W "auto filter oidn" -- "$word"); return ;;
     --show) mapfile -t COMPREPLY < <(compgen -W "cost" -- "$word"); return ;;
     --tone-map) mapfile -t COMPREPLY < <(compgen -W "linear reinhard aces agx gamma" -- "$word"); return ;;
@@ -43,7 +44,7 @@ _sundog() {
       files='@(scene|obj|gltf|glb|conf)' ;;
     view) options+=" --variant --size --device --threads --accel --max-depth --min-weight --environment --environment-turn --environment-gain --sky --photons --fullscreen"; files='@(scene|obj|gltf|glb|conf)' ;;
     info) options+=" --variant --devices --all"; files='@(scene|obj|gltf|glb|conf)' ;;
-    bake) options+=" --output --patch --spp --max-depth --time --seed --threads --quiet"; files='@(scene|obj|gltf|glb|conf|pov)' ;;
+    bake) options+=" --output --method --patch --spp --max-depth --time --seed --threads --quiet"; files='@(scene|obj|gltf|glb|conf|pov)' ;;
     compare) options+=" --output --gain --flip"; files='@(png|jpg|jpeg|exr|hdr|ppm|tga|bmp)' ;;
     bench) options+=" --scenes --device --threads --rounds --no-tachyon --no-load --accel --refine --sampling --scene" ;;
     pov)

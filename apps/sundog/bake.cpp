@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "arguments.h"
+#include "bake/matt.h"
 #include "bake/write_glb.h"
 #include "command.h"
 #include "console.h"
@@ -24,15 +26,27 @@ constexpr const char* kExamples =
     "Examples:\n"
     "  sundog bake scenes/cornell/cornell.scene -o cornell.glb\n"
     "  sundog bake house.gltf -o house.glb --patch 0.1 --spp 1024\n"
+    "  sundog bake house.gltf -o house.glb --method radiosity\n"
     "  sundog view house.glb";
 
 struct BakeArguments {
     std::string scene;
     std::string output;
     bake::BakeOptions options;
-    int threads = 0;
     bool quiet = false;
 };
+
+bake::Method parse_method(const std::string& text) {
+    const auto& names = bake::kMethodNames;
+    const std::string name = parse_choice("--method", text, {names.begin(), names.end()});
+    return static_cast<bake::Method>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// What is missing where it was stopped.
+const char* stopped_early(bake::Method method) {
+    return method == bake::Method::paths ? ", stopped early: with more noise"
+                                         : ", stopped early: with some light by estimate";
+}
 
 int run(const BakeArguments& arguments) {
     if (arguments.output.empty()) throw UsageError("nothing says where the scene goes", "for example -o baked.glb");
@@ -42,8 +56,9 @@ int run(const BakeArguments& arguments) {
     const WarningSink warn = warnings.sink();
     scene::Scene scene = import::import_scene(scene_file_or_config(arguments.scene), warn);
     scene::deform(scene, arguments.options.time_s);
+    if (arguments.options.method == bake::Method::radiosity) bake::make_matt(scene);
     const std::shared_ptr<const RenderScene> compiled = compile(scene, warn);
-    Session session(open_device_for(*compiled, "cpu", arguments.threads));
+    Session session(open_device_for(*compiled, "cpu", arguments.options.threads));
     session.load(compiled);
 
     const InterruptGuard interrupt;
@@ -57,7 +72,7 @@ int run(const BakeArguments& arguments) {
         bake::write_glb(arguments.output, scene, baked, make_frame(scene, *compiled, view));
         if (!arguments.quiet)
             fmt::print(stderr, "{}: {} triangles, {} vertices, {:.3g} s{}\n", arguments.output, baked.triangles,
-                       baked.vertices, baked.seconds, baked.stopped ? ", stopped early: with more noise" : "");
+                       baked.vertices, baked.seconds, baked.stopped ? stopped_early(arguments.options.method) : "");
         return baked.stopped ? kInterrupted : 0;
     } catch (const bake::StoppedEarly& stopped) {
         line.clear();
@@ -80,6 +95,11 @@ void add_bake(CLI::App& program, Action& action) {
     command->add_option("-o,--output", a.output, "The .glb file (glTF 2.0) that is written");
     command
         ->add_option_function<std::string>(
+            "--method", [&a](Text text) { a.options.method = parse_method(text); },
+            "How light is found: paths for all scenes, or radiosity, without noise, with all surfaces matt (paths)")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
             "--patch", [&a](Text text) { a.options.longest_edge = parse_float("--patch", text, 1e-6F, 1e9F); },
             "Longest edge of the triangles that light is kept at, in the scene's units (a 64th of its diagonal)")
         ->type_name("LENGTH");
@@ -87,7 +107,7 @@ void add_bake(CLI::App& program, Action& action) {
         ->add_option_function<std::string>(
             "--spp",
             [&a](Text text) { a.options.samples = static_cast<std::uint32_t>(parse_int("--spp", text, 1, 1000000)); },
-            "Paths for each vertex (256)")
+            "Paths for each vertex; with radiosity, rays to what has a size and shines (256)")
         ->type_name("N");
     command
         ->add_option_function<std::string>(
@@ -107,7 +127,7 @@ void add_bake(CLI::App& program, Action& action) {
         ->type_name("N");
     command
         ->add_option_function<std::string>(
-            "--threads", [&a](Text text) { a.threads = parse_int("--threads", text, 0, 1024); },
+            "--threads", [&a](Text text) { a.options.threads = parse_int("--threads", text, 0, 1024); },
             "Threads; 0 for all (0)")
         ->type_name("N");
     command->add_flag("-q,--quiet", a.quiet, "No progress, no summary");

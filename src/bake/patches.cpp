@@ -125,8 +125,8 @@ void find_insides(Part& part) {
 }
 
 /// A mesh's triangles by material.
-void add_mesh(const scene::Object& object, const scene::Mesh& mesh, const Affine3& world_from_object,
-              std::vector<Part>& parts) {
+void add_mesh(const scene::Object& object, std::size_t source, const scene::Mesh& mesh,
+              const Affine3& world_from_object, std::vector<Part>& parts) {
     std::map<scene::Index, std::size_t> part_of;
     std::map<std::pair<scene::Index, Corner>, std::uint32_t> known;
     std::map<std::array<int, 3>, std::uint32_t> flat_normals;
@@ -153,6 +153,7 @@ void add_mesh(const scene::Object& object, const scene::Mesh& mesh, const Affine
         if (is_new) {
             parts.emplace_back();
             parts.back().object = object.name;
+            parts.back().source = source;
             parts.back().material = t.material;
         }
         Part& part = parts[at->second];
@@ -215,19 +216,31 @@ scene::Mesh mesh_of(const scene::Sphere& ball, scene::Index material, float long
     return mesh;
 }
 
+/// Brings vertices that came between a ball's first ones up to the ball.
+void round_off(const scene::Sphere& ball, const Affine3& world_from_object, Part& part) {
+    const Affine3 object_from_world = inverse(world_from_object);
+    for (std::size_t v = 0; v < part.positions.size(); ++v) {
+        const Vec3 out = unit(transform_point(object_from_world, part.positions[v]) - ball.center);
+        const Vec3 normal = moved_normal(world_from_object, out);
+        part.positions[v] = transform_point(world_from_object, ball.center + out * ball.radius);
+        part.normals[v] = dot(normal, part.normals[v]) < 0 ? normal * -1 : normal;
+    }
+}
+
 }  // namespace
 
 std::vector<Part> parts_of(const scene::Scene& scene, float time_s, float longest_edge, const WarningSink& warn) {
     std::vector<Part> parts;
-    for (const scene::Object& object : scene.objects) {
+    for (std::size_t source = 0; source < scene.objects.size(); ++source) {
+        const scene::Object& object = scene.objects[source];
         if (!object.seen_by_camera || object.projects != 0) continue;
         const Affine3 place = scene::transform_at(object, time_s);
         if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
-            add_mesh(object, **mesh, place, parts);
+            add_mesh(object, source, **mesh, place, parts);
         } else if (const auto* box = std::get_if<scene::Box>(&object.shape)) {
-            add_mesh(object, mesh_of(*box, object.material), place, parts);
+            add_mesh(object, source, mesh_of(*box, object.material), place, parts);
         } else if (const auto* ball = std::get_if<scene::Sphere>(&object.shape)) {
-            add_mesh(object, mesh_of(*ball, object.material, longest_edge), place, parts);
+            add_mesh(object, source, mesh_of(*ball, object.material, longest_edge), place, parts);
         } else if (warn) {
             warn(
                 {Severity::warning, object.where, "object '" + object.name + "' has no triangles to be baked", "", ""});
@@ -235,7 +248,13 @@ std::vector<Part> parts_of(const scene::Scene& scene, float time_s, float longes
     }
     std::erase_if(parts, [](const Part& part) { return part.triangles.empty(); });
     for (Part& part : parts) {
+        part.undivided = part.triangles;
         Divider(part, longest_edge).run();
+        const scene::Object& object = scene.objects[part.source];
+        if (const auto* ball = std::get_if<scene::Sphere>(&object.shape)) {
+            round_off(*ball, scene::transform_at(object, time_s), part);
+            part.undivided = part.triangles;
+        }
         find_insides(part);
     }
     return parts;

@@ -12,15 +12,17 @@
 
 namespace sundog::bake {
 
-/// The triangles of one object that have one material, in world space. All arrays but `triangles` are parallel.
+/// The triangles of one object that have one material, in world space. All arrays but those of triangles are parallel.
 struct Part {
     std::string object;
+    std::size_t source = 0;  ///< Which of the scene's objects.
     scene::Index material = 0;
     std::vector<Vec3> positions;
     std::vector<Vec3> normals;    ///< Unit, on the surface's front.
     std::vector<Vec2> texcoords;  ///< v upwards; 0 where the object has none.
     std::vector<Vec3> inside;     ///< A place beside each vertex in the middle of a face, where its light is asked.
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<std::uint32_t, 3>> undivided;  ///< The same surface in as few as will do.
     std::vector<Vec3> light;  ///< Once baked: linear RGB radiance; of textured materials, what it is of white ones.
 };
 

@@ -207,6 +207,7 @@ TEST(Usage, OptionsOutOfRangeSayTheRange) {
           {"--photons", {"-1", "many"}, "a whole number from 0 to 100000000"}}},
         {{"bake", scene, "-o", "a.glb"},
          {threads,
+          {"--method", {"xyz"}, "paths or radiosity"},
           {"--patch", {"0", "-1", "nan"}, "a number from"},
           {"--spp", {"0", "1.5"}, "a whole number from 1 to 1000000"},
           {"--max-depth", {"-1"}, "a whole number from 0 to 10000"},

@@ -61,9 +61,11 @@ inline BlockResult trace_paths(const SceneView& view, int x0, int y0, mask in_im
             break;
         }
         FirstHit& first = work.first_sample == 0 && together ? block.first : unseen;
+        // A host's rays may go anywhere, and of packets that aren't what they are said to be, Embree 3.13 loses rays.
+        const bool coherent = together && camera == nullptr;
         if (view.frame.integrator == INTEGRATOR_OCCLUSION)
-            extend_occlusion(view, together, path, radiance, block.counts, first);
-        else extend_path(view, together, path, radiance, block.counts, first);
+            extend_occlusion(view, coherent, path, radiance, block.counts, first);
+        else extend_path(view, coherent, path, radiance, block.counts, first);
         together = false;
     }
     block.radiance = block.radiance + path_light(view, radiance) * at.weight;
