@@ -16,14 +16,12 @@ constexpr float kLeastMirror = 0.1F;
 /// Of targets that are found, so many at most are shot at one by one.
 constexpr std::size_t kMostFound = 256;
 
-/// What a material does with light.
-enum MaterialUse : std::uint8_t {
-    kReflects = 1,
-    kRefracts = 2,
-    kShows = 4,         ///< Photons light it.
-    kLetsStraight = 8,  ///< Light passes it straight on,
-    kStops = 16,        ///< or much of it doesn't pass.
-};
+// What a material does with light: bits of a MaterialUse.
+using MaterialUse = std::uint8_t;
+constexpr MaterialUse kReflects = 1, kRefracts = 2;
+constexpr MaterialUse kShows = 4;         ///< Photons light it.
+constexpr MaterialUse kLetsStraight = 8;  ///< Light passes it straight on,
+constexpr MaterialUse kStops = 16;        ///< or much of it doesn't pass.
 
 std::uint32_t object_flags(const scene::ObjectPhotons& photons) {
     return (photons.refraction == PhotonSwitch::on ? kernel::PHOTONS_REFRACT : 0U) |
@@ -35,8 +33,7 @@ std::uint32_t object_flags(const scene::ObjectPhotons& photons) {
 
 float largest(const kernel::vec3& v) { return std::max({v.x, v.y, v.z}); }
 
-/// MaterialUse bits.
-std::uint8_t use_of(const RenderScene& scene, const kernel::Material& m) {
+MaterialUse use_of(const RenderScene& scene, const kernel::Material& m) {
     bool shows = largest(m.diffuse) > 0;
     float mirrors = largest(m.reflectance);
     float ior = m.ior;
@@ -60,9 +57,12 @@ std::uint8_t use_of(const RenderScene& scene, const kernel::Material& m) {
     const bool mostly = largest(m.transmittance) >= 0.5F &&
                         scene.material_maps[m.maps].opacity.texture == kernel::NONE &&
                         (m.flags & kernel::MATERIAL_VERTEX_ALPHA) == 0;
-    const auto bit = [](bool set, MaterialUse use) { return set ? static_cast<unsigned>(use) : 0U; };
-    return static_cast<std::uint8_t>(bit(reflects, kReflects) | bit(refracts, kRefracts) | bit(shows, kShows) |
-                                     bit(straight, kLetsStraight) | bit(!straight || !mostly, kStops));
+    MaterialUse uses = straight && mostly ? 0 : kStops;
+    if (reflects) uses |= kReflects;
+    if (refracts) uses |= kRefracts;
+    if (shows) uses |= kShows;
+    if (straight) uses |= kLetsStraight;
+    return uses;
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ private:
     RenderScene& out_;
     std::vector<std::uint32_t> numbers_;       ///< For each object its target's, from 1; 0: none.
     std::vector<scene::ObjectPhotons> found_;  ///< What objects do; empty: what they say themselves.
-    std::vector<std::uint8_t> material_uses_;  ///< If found_: for each material, MaterialUse bits.
+    std::vector<std::uint8_t> material_uses_;  ///< If found_: for each material, what it does with light.
     std::vector<std::uint32_t> endless_;       ///< Objects that have no end.
 };
 
