@@ -13,6 +13,7 @@
 #include "compile/media_bound.h"
 #include "device/render_scene.h"
 #include "fields/host_fields.h"
+#include "fields/pigment_code.h"
 #include "scene/scene.h"
 
 namespace sundog {
@@ -58,6 +59,7 @@ private:
     const scene::Scene& scene_;
     RenderScene& out_;
     std::shared_ptr<fields::HostFieldTable> host_;
+    fields::DensityPlaces densities_;
     std::map<std::pair<const scene::LayeredTexture*, bool>, Layers> compiled_;  ///< With its own colours, or without.
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> looks_;  ///< By first layer, light set, double illumination.
     std::map<std::uint32_t, std::uint32_t> interiors_;             // By the scene's numbers.

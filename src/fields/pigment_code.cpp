@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -176,7 +177,8 @@ std::optional<PigmentPower> pigment_power_of(const Pattern& pattern) {
 /// Writes one pigment's program.
 class ProgramWriter {
 public:
-    ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host) : code_(code), host_(host) {}
+    ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host, DensityPlaces* densities)
+        : code_(code), host_(host), densities_(densities) {}
 
     /// The pigment's colour into colour slot `slot`, asked at point number `base`; slots from there on, values and
     /// points likewise, are free to use.
@@ -298,6 +300,8 @@ private:
             code_.push_back(pattern.crackle.solid ? 1 : 0);
         } else if (is_tiling) {
             write_tiling(pattern.tiling, slot, point);
+        } else if (pattern.kind == Pattern::Kind::density_file && densities_ != nullptr && is_moderate(pattern)) {
+            write_density(pattern, slot, point);
         } else if (is_host_field(pattern.kind)) {
             if (pattern.kind == Pattern::Kind::pavement) check_pavement(pattern.pavement);
             instruction(kernel::OP_HOST_FIELD, slot, point, slot);
@@ -322,6 +326,33 @@ private:
         throw InputError({Severity::error, *where_,
                           "there is no pavement " + std::to_string(form.pattern) + " of " + kind, "",
                           count == 0 ? "take fewer tiles" : "they are numbered 1 to " + std::to_string(count)});
+    }
+
+    /// Of so many voxels as are copied for shaders.
+    static bool is_moderate(const Pattern& pattern) {
+        constexpr std::size_t kMostVoxels = std::size_t{1} << 27U;
+        return !pattern.density || pattern.density->values.size() <= kMostVoxels;
+    }
+
+    void write_density(const Pattern& pattern, std::uint32_t slot, std::uint32_t point) {
+        instruction(kernel::OP_DENSITY, slot, point, slot);
+        code_.push_back(host_.add_shared(make_host_field(pattern, {})));
+        code_.push_back(static_cast<std::uint32_t>(std::clamp(pattern.interpolation, 0, 2)));
+        const bool has_voxels = pattern.density && !pattern.density->values.empty();
+        for (std::size_t axis = 0; axis < 3; ++axis) code_.push_back(has_voxels ? pattern.density->size[axis] : 0);
+        const std::vector<float> none;
+        const std::vector<float>& voxels = has_voxels ? pattern.density->values : none;
+        const auto behind = static_cast<std::uint32_t>(code_.size() + 2);
+        const auto [known, is_new] = densities_->try_emplace(pattern.density, behind);
+        code_.push_back(known->second);
+        const std::size_t count = is_new ? voxels.size() : 0;
+        code_.push_back(static_cast<std::uint32_t>((count + 1) / 2));
+        constexpr float kMost = 65535;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto voxel = static_cast<std::uint32_t>(std::lround(std::clamp(voxels[i], 0.0F, 1.0F) * kMost));
+            if (i % 2 == 0) code_.push_back(voxel);
+            else code_.back() |= voxel << 16U;
+        }
     }
 
     void write_tiling(int number, std::uint32_t slot, std::uint32_t point) {
@@ -422,6 +453,7 @@ private:
 
     std::vector<std::uint32_t>& code_;
     HostFieldTable& host_;
+    DensityPlaces* densities_;
     const SourceLocation* where_ = nullptr;  ///< Of the pigment that is being written.
 };
 
@@ -432,8 +464,8 @@ std::uint32_t noise_generator_of(const Pattern& pattern) {
 }
 
 void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host,
-                        const scene::Pigment* weight) {
-    ProgramWriter writer(code, host);
+                        const scene::Pigment* weight, DensityPlaces* densities) {
+    ProgramWriter writer(code, host, densities);
     if (weight != nullptr) writer.write_weight(*weight);
     writer.write(pigment, 0, 0);
     writer.end();
@@ -441,7 +473,7 @@ void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t
 
 void write_point_code(const Pattern& pattern, const SourceLocation& where, std::vector<std::uint32_t>& code,
                       HostFieldTable& host) {
-    ProgramWriter writer(code, host);
+    ProgramWriter writer(code, host, nullptr);
     writer.write_point(pattern, where, 0, 0);
     writer.end();
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "fields/host_fields.h"
@@ -13,10 +15,14 @@ namespace sundog::fields {
 /// 1 to 3.
 std::uint32_t noise_generator_of(const scene::Pattern& pattern);
 
+/// Where in the code the voxels of density files are that shaders read.
+using DensityPlaces = std::map<std::shared_ptr<const scene::DensityGrid>, std::uint32_t>;
+
 /// Appends the program of a pigment; what only the host computes goes into `host`. The red of `weight`, if there is
-/// one, is the program's weight. Errors: InputError for pigment maps nested deeper than PROGRAM_SLOTS.
+/// one, is the program's weight. Voxels come into the code only if there are `densities`. Errors: InputError for
+/// pigment maps nested deeper than PROGRAM_SLOTS.
 void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host,
-                        const scene::Pigment* weight = nullptr);
+                        const scene::Pigment* weight = nullptr, DensityPlaces* densities = nullptr);
 
 /// Appends a program that makes point 1 a pattern's own point: with its warps, transforms and turbulence.
 void write_point_code(const scene::Pattern& pattern, const SourceLocation& where, std::vector<std::uint32_t>& code,

@@ -11,8 +11,12 @@
 #include "device/vulkan/gpu.h"
 #include "device/vulkan/pipelines.h"
 #include "device/vulkan/scene_buffers.h"
+#include "device/vulkan/shaders/path_media_spirv.h"
+#include "device/vulkan/shaders/path_solids_media_spirv.h"
 #include "device/vulkan/shaders/path_solids_spirv.h"
 #include "device/vulkan/shaders/path_spirv.h"
+#include "device/vulkan/shaders/whitted_media_spirv.h"
+#include "device/vulkan/shaders/whitted_solids_media_spirv.h"
 #include "device/vulkan/shaders/whitted_solids_spirv.h"
 #include "device/vulkan/shaders/whitted_spirv.h"
 
@@ -28,15 +32,18 @@ struct Piece {
     std::uint32_t sample_count;
 };
 
-/// Of the shaders that Pipelines gets. Those that find exact solids, too, need doubles, which not all GPUs have.
-constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2;
+/// Of the shaders that Pipelines gets. Those that find exact solids, too, need doubles, which not all GPUs have; those
+/// that draw media are larger than the others.
+constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2, kMediaShaders = 4;
 
 class VulkanDevice final : public Device {
 public:
     VulkanDevice(std::size_t index, const VulkanOptions& options)
         : gpu_(index, options.on_validation_message, {options.map_device_memory, options.staging_bytes}),
-          pipelines_(gpu_, {whitted_spirv, path_spirv, whitted_solids_spirv, path_solids_spirv}, kernel::BINDING_COUNT,
-                     sizeof(kernel::Dispatch)) {}
+          pipelines_(gpu_,
+                     {whitted_spirv, path_spirv, whitted_solids_spirv, path_solids_spirv, whitted_media_spirv,
+                      path_media_spirv, whitted_solids_media_spirv, path_solids_media_spirv},
+                     kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
 
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
 
@@ -63,6 +70,7 @@ public:
         Variant variant;
         variant.shader = frame.params.integrator == kernel::INTEGRATOR_WHITTED ? kWhittedShader : kPathShader;
         variant.integrator = frame.params.integrator;
+        if ((frame.params.features & kernel::FEATURE_MEDIA) != 0) variant.shader += kMediaShaders;
         if (buffers_->solid_kinds() != 0) {
             variant.shader += kSolidShaders;
             variant.solid_kinds = buffers_->solid_kinds();

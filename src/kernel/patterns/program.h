@@ -3,6 +3,7 @@
 #ifndef SUNDOG_KERNEL_PATTERNS_PROGRAM_H
 #define SUNDOG_KERNEL_PATTERNS_PROGRAM_H
 
+#include "kernel/patterns/density_grid.h"
 #include "kernel/patterns/fields.h"
 #include "kernel/patterns/host.h"
 #include "kernel/patterns/texture.h"
@@ -229,6 +230,13 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
         } else if (op == OP_TILING) {
             values[target] = tiling_value(SCENE_ pc + 1u, points[source]);
             pc = pc + 1u + AT(code, pc);
+        } else if (op == OP_DENSITY) {
+#ifdef __cplusplus
+            values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
+#else
+            values[target] = density_at(SCENE_ pc + 1u, points[source]);
+#endif
+            pc = pc + 7u + AT(code, pc + 6u);
 #ifdef __cplusplus
         } else if (op == OP_HOST_FIELD) {
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
