@@ -125,20 +125,21 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
 
 std::uint32_t PatternCompiler::program_of(const Pigment& pigment, const Pigment* weight) {
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    fields::write_pigment_code(pigment, out_.code, *host_, weight, &densities_);
-    publish_host();
+    fields::write_pigment_code(pigment, out_.code, *host_, weight, &programs_);
+    publish_programs();
     return start;
 }
 
 std::uint32_t PatternCompiler::point_program_of(const scene::PatternNormal& part) {
     if (part.pattern.warps.empty()) return kernel::NONE;
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    fields::write_point_code(part.pattern, part.where, out_.code, *host_);
-    publish_host();
+    fields::write_point_code(part.pattern, part.where, out_.code, *host_, &programs_);
+    publish_programs();
     return start;
 }
 
-void PatternCompiler::publish_host() {
+void PatternCompiler::publish_programs() {
+    out_.program_ops = programs_.ops, out_.program_fields = programs_.fields;
     if (!host_->empty()) out_.host_fields = host_;
     out_.first_host_field = host_->first_where();
 }
@@ -180,7 +181,7 @@ std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
         put_vector(pattern.turbulence);
         out_.code.push_back(programs[i][2]);
     }
-    publish_host();
+    publish_programs();
     return start;
 }
 

@@ -76,6 +76,8 @@ struct RenderScene : render_scene_detail::Arrays {
     Bounds3 bounds;              ///< World bounds of all finite geometry at rest.
     std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
+    std::uint32_t program_ops = 0;                ///< OP_* that programs in `code` have, as bits.
+    std::uint32_t program_fields = 0;             ///< FIELD_* likewise.
     std::uint32_t rainbows = kernel::NONE;        ///< A list of them in `code`.
     std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
     bool has_media = false;                       ///< Some list of media in `code` isn't empty.

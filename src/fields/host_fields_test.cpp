@@ -155,7 +155,7 @@ TEST(HostFields, ShadersFindTheSameDensities) {
     for (int i = 0; i < 15; ++i) grid->values.push_back(static_cast<float>(i * 7 % 15) / 15);
     std::vector<std::uint32_t> code{0, 0, 0};
     HostFieldTable host({});
-    DensityPlaces places;
+    ShaderPrograms programs;
     for (const int interpolation : {0, 1, 2}) {
         scene::Pigment pigment;
         pigment.kind = scene::Pigment::Kind::mapped;
@@ -163,7 +163,7 @@ TEST(HostFields, ShadersFindTheSameDensities) {
         pigment.pattern.density = grid, pigment.pattern.interpolation = interpolation;
         pigment.entries = {{0, {0, 0, 0, 0, 0}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
         const auto start = static_cast<kernel::uint>(code.size());
-        write_pigment_code(pigment, code, host, nullptr, &places);
+        write_pigment_code(pigment, code, host, nullptr, &programs);
         ASSERT_EQ(code[start] & 255U, kernel::OP_DENSITY);
         EXPECT_EQ(code[start + 7], interpolation == 0 ? 8U : 0U) << "words of voxels";
         kernel::SceneView view{};

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GLSL side of compat.h: one ray an invocation. The including shader declares, before any kernel function, the
-// buffers of kernel/arrays.h, a FrameParams named `frame`, and specialization constants `frame_features`, `frame_aovs`
-// and `frame_integrator`. With SUNDOG_MEDIA, the shader draws participating media.
+// buffers of kernel/arrays.h, a FrameParams named `frame`, and specialization constants `frame_features`,
+// `frame_aovs`, `frame_integrator`, `program_ops` and `program_fields`. With SUNDOG_MEDIA, the shader draws
+// participating media.
 #ifndef SUNDOG_KERNEL_COMPAT_GLSL_H
 #define SUNDOG_KERNEL_COMPAT_GLSL_H
 
@@ -20,6 +21,8 @@
 #define WANTS_AOV(bits) ((frame_aovs & (bits)) != 0u)
 #define RECORDING false
 #define INTEGRATOR_IS(number) (frame_integrator == (number))
+#define PROGRAMS_HAVE(op) ((program_ops & (1u << (op))) != 0u)
+#define FIELDS_HAVE(kind) ((program_fields & (1u << (kind))) != 0u)
 #ifdef SUNDOG_MEDIA
 #define KERNEL_MEDIA
 #endif
