@@ -342,7 +342,7 @@ std::uint32_t features_of(const RenderScene& scene, MeshAttributes attributes, b
     // Fog isn't in what isn't hollow.
     const bool in_fog =
         (!scene.fogs.empty() || scene.rainbows != kernel::NONE) && (features & kernel::FEATURE_PATTERNED) != 0;
-    if (!scene.media_places.empty()) features |= kernel::FEATURE_MEDIA | kernel::FEATURE_HOLLOW;
+    if (scene.has_media) features |= kernel::FEATURE_MEDIA | kernel::FEATURE_HOLLOW;
     if (in_fog) features |= kernel::FEATURE_HOLLOW;
     return features;
 }

@@ -125,22 +125,23 @@ kernel::Fog kernel_fog(const scene::Fog& fog) {
 
 std::uint32_t PatternCompiler::program_of(const Pigment& pigment, const Pigment* weight) {
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    fields::write_pigment_code(pigment, out_.code, *host_, weight);
-    publish_host();
+    fields::write_pigment_code(pigment, out_.code, *host_, weight, &programs_);
+    publish_programs();
     return start;
 }
 
 std::uint32_t PatternCompiler::point_program_of(const scene::PatternNormal& part) {
     if (part.pattern.warps.empty()) return kernel::NONE;
     const auto start = static_cast<std::uint32_t>(out_.code.size());
-    fields::write_point_code(part.pattern, part.where, out_.code, *host_);
-    publish_host();
+    fields::write_point_code(part.pattern, part.where, out_.code, *host_, &programs_);
+    publish_programs();
     return start;
 }
 
-void PatternCompiler::publish_host() {
-    if (!host_->needed()) return;
-    if (!out_.host_fields) out_.host_fields = host_, out_.first_host_field = host_->first_where();
+void PatternCompiler::publish_programs() {
+    out_.program_ops = programs_.ops, out_.program_fields = programs_.fields;
+    if (!host_->empty()) out_.host_fields = host_;
+    out_.first_host_field = host_->first_where();
 }
 
 std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
@@ -180,7 +181,7 @@ std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
         put_vector(pattern.turbulence);
         out_.code.push_back(programs[i][2]);
     }
-    publish_host();
+    publish_programs();
     return start;
 }
 
@@ -193,13 +194,13 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
     key.append(reinterpret_cast<const char*>(&medium_from_world), sizeof(medium_from_world));
     const auto [known, is_new] = media_.try_emplace(std::move(key), kernel::NONE);
     if (!is_new) return known->second;
+    out_.has_media = out_.has_media || !media.empty();
     std::vector<std::uint32_t> densities;  // Where each medium's list of programs is.
     for (const scene::Medium& medium : media) {
         std::vector<std::uint32_t> programs;
         for (const auto& density : medium.densities) programs.push_back(program_of(*density));
         densities.push_back(static_cast<std::uint32_t>(out_.code.size()));
         out_.code.insert(out_.code.end(), programs.begin(), programs.end());
-        out_.media_places.push_back(medium.where);
     }
     known->second = static_cast<std::uint32_t>(out_.code.size());
     const auto put = [&](float value) { out_.code.push_back(std::bit_cast<std::uint32_t>(value)); };

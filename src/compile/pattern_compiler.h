@@ -14,6 +14,7 @@
 #include "compile/media_bound.h"
 #include "device/render_scene.h"
 #include "fields/host_fields.h"
+#include "fields/pigment_code.h"
 #include "scene/scene.h"
 
 namespace sundog {
@@ -49,8 +50,8 @@ private:
     std::uint32_t program_of(const scene::Pigment& pigment, const scene::Pigment* weight = nullptr);
     /// Where a normal's pattern has warps: the program of its point; else NONE.
     std::uint32_t point_program_of(const scene::PatternNormal& part);
-    /// Gives the table of host fields to the RenderScene, once there are any.
-    void publish_host();
+    /// Tells the RenderScene of what programs consist, and gives it the table of host fields, once there are any.
+    void publish_programs();
     /// The rainbows, into `code`; NONE for none.
     std::uint32_t rainbows();
     /// A list of media, into `code`; NONE for none.
@@ -60,6 +61,7 @@ private:
     const InteriorCopies& copies_;
     RenderScene& out_;
     std::shared_ptr<fields::HostFieldTable> host_;
+    fields::ShaderPrograms programs_;
     std::map<std::pair<const scene::LayeredTexture*, bool>, Layers> compiled_;  ///< With its own colours, or without.
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> looks_;  ///< By first layer, light set, double illumination.
     std::map<std::uint32_t, std::uint32_t> interiors_;             // By the scene's numbers.

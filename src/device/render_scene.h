@@ -82,9 +82,11 @@ struct RenderScene : render_scene_detail::Arrays {
     Bounds3 bounds;              ///< World bounds of all finite geometry at rest.
     std::vector<std::string> geometry_names;      ///< One for each of `geometries`; the scene object's name.
     std::vector<std::uint32_t> geometry_objects;  ///< One for each of `geometries`: index into Scene::objects.
+    std::uint32_t program_ops = 0;                ///< OP_* that programs in `code` have, as bits.
+    std::uint32_t program_fields = 0;             ///< FIELD_* likewise.
     std::uint32_t rainbows = kernel::NONE;        ///< A list of them in `code`.
     std::uint32_t atmosphere = kernel::NONE;      ///< Media that are everywhere: a list of them in `code`.
-    std::vector<SourceLocation> media_places;     ///< Of all media in the scene's file.
+    bool has_media = false;                       ///< Some list of media in `code` isn't empty.
     std::vector<PlacedSolid> solids;              ///< Ascending by geometry.
     std::vector<ShiningPrimitive> shining;        ///< What paths may aim at.
     std::vector<ClosedMesh> closed_one_sided;     ///< Those with MATERIAL_ONE_SIDED; others set FEATURE_ONE_SIDED.
@@ -100,8 +102,8 @@ struct RenderScene : render_scene_detail::Arrays {
     SourceLocation camera_where;
     /// Of which programs in `code` ask what only the host computes; null: none does.
     std::shared_ptr<const kernel::HostFields> host_fields;
-    SourceLocation first_host_field;      ///< The first pattern that needs them.
-    std::vector<CpuFeature> only_on_cpu;  ///< Finishes and interiors.
+    std::optional<SourceLocation> first_host_field;  ///< The first pattern that no shader computes, if there is one.
+    std::vector<CpuFeature> only_on_cpu;             ///< Finishes and interiors.
 };
 
 /// Bytes of all arrays.

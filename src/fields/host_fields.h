@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,10 @@ public:
     /// `where` is the pigment or normal that needs it.
     std::uint32_t add(std::unique_ptr<HostField> field, const SourceLocation& where) {
         need(where);
+        return add_shared(std::move(field));
+    }
+    /// One that shaders compute for themselves.
+    std::uint32_t add_shared(std::unique_ptr<HostField> field) {
         fields_.push_back(std::move(field));
         return static_cast<std::uint32_t>(fields_.size() - 1);
     }
@@ -58,11 +63,11 @@ public:
     }
     /// Says that a program can only be run by the host.
     void need(const SourceLocation& where) {
-        if (!needed_) first_where_ = where;
-        needed_ = true;
+        if (!first_where_) first_where_ = where;
     }
-    [[nodiscard]] bool needed() const { return needed_; }
-    [[nodiscard]] const SourceLocation& first_where() const { return first_where_; }
+    [[nodiscard]] bool empty() const { return fields_.empty(); }
+    /// Of what only the host can run: the first, if there is any.
+    [[nodiscard]] const std::optional<SourceLocation>& first_where() const { return first_where_; }
 
     void at(kernel::uint index, std::span<const kernel::HostPoint> points,
             std::span<kernel::vec3> answers) const override;
@@ -70,8 +75,7 @@ public:
 private:
     std::span<const scene::Texture> textures_;  ///< Of use only while fields are added.
     std::vector<std::unique_ptr<HostField>> fields_;
-    bool needed_ = false;
-    SourceLocation first_where_;
+    std::optional<SourceLocation> first_where_;
 };
 
 }  // namespace sundog::fields

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "fields/fractals.h"
+#include "fields/pigment_code.h"
 #include "fields/warps.h"
+#include "kernel/patterns/density_grid.h"
 
 namespace sundog::fields {
 namespace {
@@ -143,6 +145,38 @@ TEST(HostFields, DensitiesLieInTheUnitCube) {
     pattern.interpolation = 2;
     EXPECT_NEAR(at(0.015625, 0.3, 0.3), 15.70, 0.02);
     EXPECT_NEAR(at(0.3, 0.3, 0.140625), 69.54, 0.02);
+}
+
+// Catches voxels in other places of the code than the shaders' function looks for them, in another order or of another
+// measure, cubics of other slopes, grids that don't go round, and voxels that are written for each use.
+TEST(HostFields, ShadersFindTheSameDensities) {
+    auto grid = std::make_shared<scene::DensityGrid>();
+    grid->size = {5, 1, 3};
+    for (int i = 0; i < 15; ++i) grid->values.push_back(static_cast<float>(i * 7 % 15) / 15);
+    std::vector<std::uint32_t> code{0, 0, 0};
+    HostFieldTable host({});
+    ShaderPrograms programs;
+    for (const int interpolation : {0, 1, 2}) {
+        scene::Pigment pigment;
+        pigment.kind = scene::Pigment::Kind::mapped;
+        pigment.pattern.kind = Pattern::Kind::density_file;
+        pigment.pattern.density = grid, pigment.pattern.interpolation = interpolation;
+        pigment.entries = {{0, {0, 0, 0, 0, 0}, nullptr}, {1, {1, 1, 1, 0, 0}, nullptr}};
+        const auto start = static_cast<kernel::uint>(code.size());
+        write_pigment_code(pigment, code, host, nullptr, &programs);
+        ASSERT_EQ(code[start] & 255U, kernel::OP_DENSITY);
+        EXPECT_EQ(code[start + 7], interpolation == 0 ? 8U : 0U) << "words of voxels";
+        kernel::SceneView view{};
+        view.code = code.data();
+        for (int i = 0; i < 500; ++i) {
+            const float x = 0.0021F * static_cast<float>(i) - 0.02F, y = 0.37F,
+                        z = std::fmod(0.0371F * x * x + 0.013F * static_cast<float>(i), 1.0F);
+            const double wanted =
+                value(pigment.pattern, {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)});
+            EXPECT_NEAR(kernel::density_at(view, start + 2, kernel::vec3(x, y, z)), wanted, 2e-5) << i;
+        }
+    }
+    EXPECT_TRUE(!host.first_where()) << "only the host can run it";
 }
 
 // Values that povray 3.7 prints.

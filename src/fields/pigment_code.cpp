@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -176,7 +177,8 @@ std::optional<PigmentPower> pigment_power_of(const Pattern& pattern) {
 /// Writes one pigment's program.
 class ProgramWriter {
 public:
-    ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host) : code_(code), host_(host) {}
+    ProgramWriter(std::vector<std::uint32_t>& code, HostFieldTable& host, ShaderPrograms* shaders)
+        : code_(code), host_(host), shaders_(shaders) {}
 
     /// The pigment's colour into colour slot `slot`, asked at point number `base`; slots from there on, values and
     /// points likewise, are free to use.
@@ -233,6 +235,7 @@ private:
     }
     void instruction(std::uint32_t op, std::uint32_t target, std::uint32_t source = 0, std::uint32_t source2 = 0) {
         code_.push_back(op | target << 8U | source << 16U | source2 << 24U);
+        if (shaders_ != nullptr) shaders_->ops |= 1U << op;
     }
     void put(double value) { code_.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
     void put(const Vec3d& v) { put(v.x), put(v.y), put(v.z); }
@@ -298,6 +301,8 @@ private:
             code_.push_back(pattern.crackle.solid ? 1 : 0);
         } else if (is_tiling) {
             write_tiling(pattern.tiling, slot, point);
+        } else if (pattern.kind == Pattern::Kind::density_file && shaders_ != nullptr && is_moderate(pattern)) {
+            write_density(pattern, slot, point);
         } else if (is_host_field(pattern.kind)) {
             if (pattern.kind == Pattern::Kind::pavement) check_pavement(pattern.pavement);
             instruction(kernel::OP_HOST_FIELD, slot, point, slot);
@@ -324,6 +329,33 @@ private:
                           count == 0 ? "take fewer tiles" : "they are numbered 1 to " + std::to_string(count)});
     }
 
+    /// Of so many voxels as are copied for shaders.
+    static bool is_moderate(const Pattern& pattern) {
+        constexpr std::size_t kMostVoxels = std::size_t{1} << 27U;
+        return !pattern.density || pattern.density->values.size() <= kMostVoxels;
+    }
+
+    void write_density(const Pattern& pattern, std::uint32_t slot, std::uint32_t point) {
+        instruction(kernel::OP_DENSITY, slot, point, slot);
+        code_.push_back(host_.add_shared(make_host_field(pattern, {})));
+        code_.push_back(static_cast<std::uint32_t>(std::clamp(pattern.interpolation, 0, 2)));
+        const bool has_voxels = pattern.density && !pattern.density->values.empty();
+        for (std::size_t axis = 0; axis < 3; ++axis) code_.push_back(has_voxels ? pattern.density->size[axis] : 0);
+        const std::vector<float> none;
+        const std::vector<float>& voxels = has_voxels ? pattern.density->values : none;
+        const auto behind = static_cast<std::uint32_t>(code_.size() + 2);
+        const auto [known, is_new] = shaders_->densities.try_emplace(pattern.density, behind);
+        code_.push_back(known->second);
+        const std::size_t count = is_new ? voxels.size() : 0;
+        code_.push_back(static_cast<std::uint32_t>((count + 1) / 2));
+        constexpr float kMost = 65535;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto voxel = static_cast<std::uint32_t>(std::lround(std::clamp(voxels[i], 0.0F, 1.0F) * kMost));
+            if (i % 2 == 0) code_.push_back(voxel);
+            else code_.back() |= voxel << 16U;
+        }
+    }
+
     void write_tiling(int number, std::uint32_t slot, std::uint32_t point) {
         const std::vector<std::uint32_t> words = tiling_words(periodic_tiling(number));
         instruction(kernel::OP_TILING, slot, point);
@@ -334,7 +366,9 @@ private:
     void write_kernel_field(const Pattern& pattern, std::optional<std::uint32_t> field, std::uint32_t slot,
                             std::uint32_t point) {
         instruction(kernel::OP_FIELD, slot, point);
-        code_.push_back(field.value_or(kernel::FIELD_GRADIENT));
+        const std::uint32_t number = field.value_or(kernel::FIELD_GRADIENT);
+        code_.push_back(number);
+        if (shaders_ != nullptr) shaders_->fields |= 1U << number;
         const bool spiral = pattern.kind == Pattern::Kind::spiral1 || pattern.kind == Pattern::Kind::spiral2;
         Vec3d parameters = normalize(pattern.axis);
         if (spiral) parameters = {static_cast<double>(pattern.arms), 0, 0};
@@ -422,6 +456,7 @@ private:
 
     std::vector<std::uint32_t>& code_;
     HostFieldTable& host_;
+    ShaderPrograms* shaders_;
     const SourceLocation* where_ = nullptr;  ///< Of the pigment that is being written.
 };
 
@@ -432,16 +467,16 @@ std::uint32_t noise_generator_of(const Pattern& pattern) {
 }
 
 void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t>& code, HostFieldTable& host,
-                        const scene::Pigment* weight) {
-    ProgramWriter writer(code, host);
+                        const scene::Pigment* weight, ShaderPrograms* shaders) {
+    ProgramWriter writer(code, host, shaders);
     if (weight != nullptr) writer.write_weight(*weight);
     writer.write(pigment, 0, 0);
     writer.end();
 }
 
 void write_point_code(const Pattern& pattern, const SourceLocation& where, std::vector<std::uint32_t>& code,
-                      HostFieldTable& host) {
-    ProgramWriter writer(code, host);
+                      HostFieldTable& host, ShaderPrograms* shaders) {
+    ProgramWriter writer(code, host, shaders);
     writer.write_point(pattern, where, 0, 0);
     writer.end();
 }

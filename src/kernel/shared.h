@@ -208,7 +208,8 @@ KERNEL_CONST uint OP_BLEND = 14u;        ///< Ends an entry: colour[target] += s
 /// value[target] = grey of colour[source]; its alpha if the operand is 1; if it is 2 to 6, red, green, blue, filter or
 /// transmit.
 KERNEL_CONST uint OP_GRAY = 15u;
-// By the host alone (see HostFields): its number is the operand, source2 the slot whose lanes ask.
+// By the host alone (see HostFields; OP_DENSITY by shaders, too): its number is the operand, source2 the slot whose
+// lanes ask.
 KERNEL_CONST uint OP_HOST_FIELD = 16u;  ///< value[target] = host's field at point[source].
 KERNEL_CONST uint OP_HOST_WARP = 17u;   ///< point[target] = host's warp of point[source].
 KERNEL_CONST uint OP_CRACKLE =
@@ -221,6 +222,10 @@ KERNEL_CONST uint OP_POWER = 20u;
 /// value[target] = tiling at point[source], see kernel/patterns/tiling.h: count of all words that follow, then those of
 /// tiling_value().
 KERNEL_CONST uint OP_TILING = 21u;
+/// value[target] = density file at point[source]; source2 is the slot whose lanes ask: the host's number of the field,
+/// four words for density_at() (see kernel/patterns/density_grid.h) and where voxels are, how many words follow: those
+/// of the voxels, or 0 where another program holds them.
+KERNEL_CONST uint OP_DENSITY = 22u;
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;
@@ -337,7 +342,7 @@ KERNEL_CONST uint FEATURE_EXPONENTS = 262144u;    ///< Some layer has a reflecti
 
 KERNEL_CONST uint FEATURE_BSDF = 524288u;        ///< Some material has a Bsdf.
 KERNEL_CONST uint FEATURE_RADIOSITY = 1048576u;  ///< Light that surfaces send each other (the CPU device's alone).
-KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media (the CPU device's alone).
+KERNEL_CONST uint FEATURE_MEDIA = 2097152u;      ///< Participating media.
 KERNEL_CONST uint FEATURE_HOLLOW =
     4194304u;  ///< Media; or fog, and something that isn't hollow: rays keep MediaInsides.
 KERNEL_CONST uint FEATURE_PHOTONS = 8388608u;       ///< Caustics by photons (the CPU device's alone).

@@ -63,7 +63,8 @@ CALL_CONST uint CALL_FOG = 37u;
 CALL_CONST uint CALL_LAYER = 38u;
 CALL_CONST uint CALL_PROJECTION = 39u;
 CALL_CONST uint CALL_NORMAL = 40u;
-CALL_CONST uint CALL_COUNT = 41u;
+CALL_CONST uint CALL_PHASE = 41u;
+CALL_CONST uint CALL_COUNT = 42u;
 
 /// Arguments that are the same for all rays.
 struct UniformValues {

@@ -87,6 +87,10 @@ UniformValues uniforms_for(std::uint32_t function, Random& random) {
             u.v[13] = random.between(0.3F, 3);
             u.v[14] = random.between(0, 1);
             break;
+        case CALL_PHASE:
+            u.v[12] = std::floor(random.between(1, 5.99F));
+            u.v[13] = random.between(-0.8F, 0.8F);
+            break;
         case CALL_PROJECTION:
             u.v[12] = std::floor(random.between(0, CAMERA_SPHERICAL + 0.99F));
             u.v[13] = random.between(0.5F, 5);
@@ -190,7 +194,8 @@ std::vector<FunctionCase> function_cases() {
             {"fog", CALL_FOG, 1e-3F, 1e-4F},
             {"layer", CALL_LAYER, 1e-3F, 1e-4F, true},
             {"projection", CALL_PROJECTION, 1e-4F, 1e-5F, true},
-            {"normal", CALL_NORMAL, 1e-4F, 1e-4F}};
+            {"normal", CALL_NORMAL, 1e-4F, 1e-4F},
+            {"phase", CALL_PHASE, 1e-4F, 1e-4F}};
 }
 
 Arguments random_arguments(const FunctionCase& function, std::size_t batches) {

@@ -22,18 +22,6 @@ constexpr int kAllowedDifference = 2;
 constexpr std::uint32_t kAovs =
     kernel::AOV_DEPTH | kernel::AOV_NORMAL | kernel::AOV_ALBEDO | kernel::AOV_OBJECT | kernel::AOV_COST;
 
-int srgb8(float linear) {
-    const float v = std::clamp(linear, 0.0F, 1.0F);
-    const float encoded = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-    return static_cast<int>(std::lround(encoded * 255));
-}
-
-/// The largest difference of a channel, in units of 1/255 of sRGB.
-int difference(Vec3 a, Vec3 b) {
-    const auto channel = [](float p, float q) { return std::abs(srgb8(p) - srgb8(q)); };
-    return std::max({channel(a.x, b.x), channel(a.y, b.y), channel(a.z, b.z)});
-}
-
 /// Whether object, depth, normal or colour vary among a pixel and its neighbours.
 bool on_edge(const Film& film, int x, int y) {
     const std::size_t here = film.index(x, y);

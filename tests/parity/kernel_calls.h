@@ -5,6 +5,7 @@
 #define SUNDOG_TESTS_PARITY_KERNEL_CALLS_H
 
 #include "kernel/atmosphere/fog.h"
+#include "kernel/atmosphere/scattering.h"
 #include "kernel/cameras/pixel_samples.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/lights/light.h"
@@ -301,6 +302,11 @@ FN Varying call_procedural(SCENE uint function, UniformValues u, Varying a) {
         put(r, 3u, metallic_tint(abs(p), real(0.75f), abs(a.v[3])));
     }
     if (function == CALL_NORMAL) put(r, 0u, normal_offset(SCENE_ kind, free_point(p), 2u, u.v[13], u.v[14]));
+    if (function == CALL_PHASE) {
+        r.v[0] = phase_function(kind, a.v[0], u.v[13]);
+        r.v[1] = phase_density(word(kind), a.v[0], real(u.v[13]));
+        r.v[2] = phase_cosine(word(kind), real(u.v[13]), abs(a.v[1]));
+    }
     if (function == CALL_PROJECTION) {
         FrameParams frame_params;
         frame_params.camera.eye = vector_of(u, 0u);

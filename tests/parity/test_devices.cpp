@@ -1,7 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "test_devices.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 namespace sundog::parity {
+namespace {
+
+int srgb8(float linear) {
+    const float v = std::clamp(linear, 0.0F, 1.0F);
+    const float encoded = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+    return static_cast<int>(std::lround(encoded * 255));
+}
+
+}  // namespace
+
+int difference(Vec3 a, Vec3 b) {
+    const auto channel = [](float p, float q) { return std::abs(srgb8(p) - srgb8(q)); };
+    return std::max({channel(a.x, b.x), channel(a.y, b.y), channel(a.z, b.z)});
+}
 
 std::unique_ptr<Device> open_gpu(std::vector<std::string>& messages, std::string& why, VulkanOptions options) {
     const auto adapters = vulkan_adapters(why);

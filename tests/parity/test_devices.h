@@ -25,6 +25,9 @@ struct Prepared {
 
 Prepared prepare(const TestScene& test, int width, int height);
 
+/// The largest difference of a channel, in units of 1/255 of sRGB.
+int difference(Vec3 a, Vec3 b);
+
 /// All pixels of the frame, samples [0, samples), with the planes of `aovs`; `device` must have the scene loaded.
 Film render(Device& device, const Frame& frame, std::uint32_t samples, std::uint32_t aovs = 0);
 

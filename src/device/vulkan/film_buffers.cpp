@@ -12,8 +12,8 @@ namespace {
 using kernel::PixelAovs;
 using Sum = std::array<float, 4>;
 
-/// The ray counters, at the beginning of the buffer of radiance.
-constexpr std::size_t kCounterBytes = 4 * sizeof(std::uint32_t);
+/// At the beginning of the buffer of radiance.
+constexpr std::size_t kCounterBytes = kernel::COUNTERS * sizeof(std::uint32_t);
 
 std::uint64_t pixels_of(const PixelRect& rect) {
     return static_cast<std::uint64_t>(rect.width()) * static_cast<std::uint64_t>(rect.height());
@@ -99,8 +99,16 @@ void FilmBuffers::record_after(const Gpu& gpu, VkCommandBuffer commands, const P
     full_barrier(gpu, commands);
 }
 
-RayTotals FilmBuffers::store(const Gpu& gpu, Film& film, const PixelRect& rect, std::uint32_t first_sample) const {
+DispatchCounts FilmBuffers::counts(const Gpu& gpu) const {
     host_radiance_.invalidate(gpu);
+    std::array<std::uint32_t, kernel::COUNTERS> counters{};
+    std::memcpy(counters.data(), host_radiance_.mapped().data(), kCounterBytes);
+    const auto joined = [&](std::size_t first) { return std::uint64_t{counters[first + 1]} << 32U | counters[first]; };
+    return {joined(kernel::COUNTER_RAYS), joined(kernel::COUNTER_SHADOW_RAYS),
+            counters[kernel::COUNTER_CUT_LOOPS] != 0};
+}
+
+void FilmBuffers::store(const Gpu& gpu, Film& film, const PixelRect& rect, std::uint32_t first_sample) const {
     const std::size_t row_bytes = static_cast<std::size_t>(rect.width()) * sizeof(Sum);
     const std::byte* from = host_radiance_.mapped().data() + kCounterBytes;
     for (int y = rect.y0; y < rect.y1; ++y, from += row_bytes) {
@@ -120,10 +128,6 @@ RayTotals FilmBuffers::store(const Gpu& gpu, Film& film, const PixelRect& rect, 
             }
         }
     }
-    std::array<std::uint32_t, 4> counters{};
-    std::memcpy(counters.data(), host_radiance_.mapped().data(), kCounterBytes);
-    const auto join = [](std::uint64_t low, std::uint64_t high) { return high << 32U | low; };
-    return {join(counters[0], counters[1]), join(counters[2], counters[3])};
 }
 
 }  // namespace sundog::vulkan

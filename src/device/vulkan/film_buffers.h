@@ -11,10 +11,11 @@
 
 namespace sundog::vulkan {
 
-/// Rays that dispatches counted.
-struct RayTotals {
+/// What a dispatch counted.
+struct DispatchCounts {
     std::uint64_t rays = 0;
     std::uint64_t shadow_rays = 0;
+    bool cut_loops = false;  ///< The driver ended loops early: what was computed is wrong.
 };
 
 /// Buffers for the pixels of one dispatch after the other.
@@ -30,8 +31,10 @@ public:
     /// Commands before and after the dispatch: with `continues`, fetched sums go to the GPU first.
     void record_before(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool continues) const;
     void record_after(const Gpu& gpu, VkCommandBuffer commands, const PixelRect& rect, bool with_aovs) const;
-    /// Puts the dispatch's result into the film. first_sample is the dispatch's.
-    RayTotals store(const Gpu& gpu, Film& film, const PixelRect& rect, std::uint32_t first_sample) const;
+    /// What the dispatch counted.
+    [[nodiscard]] DispatchCounts counts(const Gpu& gpu) const;
+    /// Puts the dispatch's result into the film, once it was counted. first_sample is the dispatch's.
+    void store(const Gpu& gpu, Film& film, const PixelRect& rect, std::uint32_t first_sample) const;
 
 private:
     std::uint64_t pixels_ = 0, aov_pixels_ = 0;  // room

@@ -104,7 +104,9 @@ VkPipeline Pipelines::get(const Variant& variant) {
                              VkSpecializationMapEntry{2, offsetof(Variant, stack_size), word},
                              VkSpecializationMapEntry{3, offsetof(Variant, integrator), word},
                              VkSpecializationMapEntry{4, offsetof(Variant, solid_kinds), word},
-                             VkSpecializationMapEntry{5, offsetof(Variant, solid_depth), word}};
+                             VkSpecializationMapEntry{5, offsetof(Variant, solid_depth), word},
+                             VkSpecializationMapEntry{6, offsetof(Variant, program_ops), word},
+                             VkSpecializationMapEntry{7, offsetof(Variant, program_fields), word}};
     const VkSpecializationInfo specialization{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               sizeof(Variant), &variant};
     VkComputePipelineCreateInfo create{};

@@ -21,6 +21,8 @@ struct Variant {
     std::uint32_t integrator = 0;                                       ///< INTEGRATOR_*
     std::uint32_t solid_kinds = 0;                                      ///< SHAPE_* as bits.
     std::uint32_t solid_depth = 0;                                      ///< Entries of the stack of groups.
+    std::uint32_t program_ops = ~0U;                                    ///< OP_* as bits.
+    std::uint32_t program_fields = ~0U;                                 ///< FIELD_* as bits.
     friend auto operator<=>(const Variant&, const Variant&) = default;  // NOLINT(modernize-use-nullptr): its own zero
 };
 

@@ -76,8 +76,7 @@ std::vector<std::string> not_drawn_by_shaders(const RenderScene& scene, const Ad
     if (scene.photons) add_feature(*scene.photons, "photons are what only the CPU computes");
     if (!scene.camera_feature.empty())
         add_feature(scene.camera_where, "the camera has " + scene.camera_feature + ", which only the CPU draws");
-    if (scene.host_fields) add_feature(scene.first_host_field, "a pattern or a warp that only the CPU draws");
-    if (!scene.media_places.empty()) add_feature(scene.media_places.front(), "media are drawn by the CPU only");
+    if (scene.first_host_field) add_feature(*scene.first_host_field, "a pattern or a warp that only the CPU draws");
     if (!scene.only_on_cpu.empty()) add_feature(scene.only_on_cpu.front().where, scene.only_on_cpu.front().sentence);
     if (more > 0) sentences.push_back("and " + std::to_string(more) + " more");
     return sentences;

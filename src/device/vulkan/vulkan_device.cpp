@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 
 #include "base/diagnostics.h"
@@ -11,8 +12,12 @@
 #include "device/vulkan/gpu.h"
 #include "device/vulkan/pipelines.h"
 #include "device/vulkan/scene_buffers.h"
+#include "device/vulkan/shaders/path_media_spirv.h"
+#include "device/vulkan/shaders/path_solids_media_spirv.h"
 #include "device/vulkan/shaders/path_solids_spirv.h"
 #include "device/vulkan/shaders/path_spirv.h"
+#include "device/vulkan/shaders/whitted_media_spirv.h"
+#include "device/vulkan/shaders/whitted_solids_media_spirv.h"
 #include "device/vulkan/shaders/whitted_solids_spirv.h"
 #include "device/vulkan/shaders/whitted_spirv.h"
 
@@ -28,15 +33,18 @@ struct Piece {
     std::uint32_t sample_count;
 };
 
-/// Of the shaders that Pipelines gets. Those that find exact solids, too, need doubles, which not all GPUs have.
-constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2;
+/// Of the shaders that Pipelines gets. Those that find exact solids, too, need doubles, which not all GPUs have; those
+/// that draw media are larger than the others.
+constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2, kMediaShaders = 4;
 
 class VulkanDevice final : public Device {
 public:
     VulkanDevice(std::size_t index, const VulkanOptions& options)
         : gpu_(index, options.on_validation_message, {options.map_device_memory, options.staging_bytes}),
-          pipelines_(gpu_, {whitted_spirv, path_spirv, whitted_solids_spirv, path_solids_spirv}, kernel::BINDING_COUNT,
-                     sizeof(kernel::Dispatch)) {}
+          pipelines_(gpu_,
+                     {whitted_spirv, path_spirv, whitted_solids_spirv, path_solids_spirv, whitted_media_spirv,
+                      path_media_spirv, whitted_solids_media_spirv, path_solids_media_spirv},
+                     kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
 
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
 
@@ -51,6 +59,7 @@ public:
         buffers_.reset();
         scene_ = std::move(scene);
         pace_ = Pace();
+        most_samples_ = std::numeric_limits<std::uint32_t>::max();
         buffers_.emplace(gpu_, pipelines_, *scene_);
     }
 
@@ -63,6 +72,9 @@ public:
         Variant variant;
         variant.shader = frame.params.integrator == kernel::INTEGRATOR_WHITTED ? kWhittedShader : kPathShader;
         variant.integrator = frame.params.integrator;
+        variant.program_ops = scene_->program_ops;
+        variant.program_fields = scene_->program_fields;
+        if ((frame.params.features & kernel::FEATURE_MEDIA) != 0) variant.shader += kMediaShaders;
         if (buffers_->solid_kinds() != 0) {
             variant.shader += kSolidShaders;
             variant.solid_kinds = buffers_->solid_kinds();
@@ -84,11 +96,15 @@ public:
                     return stats;
                 }
                 const std::uint64_t pixels = pixels_of(piece);
-                piece.sample_count = static_cast<std::uint32_t>(
-                    std::clamp<std::uint64_t>(pace_.paths() / pixels, 1, end - piece.first_sample));
-                const RayTotals totals = render_piece(pipeline, piece, film);
-                stats.rays += totals.rays;
-                stats.shadow_rays += totals.shadow_rays;
+                piece.sample_count = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
+                    pace_.paths() / pixels, 1, std::min(end - piece.first_sample, most_samples_)));
+                const DispatchCounts counts = render_piece(pipeline, piece, film);
+                if (counts.cut_loops) {
+                    shorten_dispatches(piece.sample_count);
+                    continue;
+                }
+                stats.rays += counts.rays;
+                stats.shadow_rays += counts.shadow_rays;
                 piece.first_sample += piece.sample_count;
             }
         }
@@ -100,7 +116,18 @@ private:
         return static_cast<std::uint64_t>(piece.rect.width()) * static_cast<std::uint64_t>(piece.rect.height());
     }
 
-    RayTotals render_piece(VkPipeline pipeline, const Piece& piece, Film& film) {
+    /// The driver ended loops early: fewer samples at a time go through fewer rounds.
+    void shorten_dispatches(std::uint32_t sample_count) {
+        if (sample_count == 1) {
+            throw DeviceError("the driver of '" + info().name +
+                              "' ends a shader's loops early, and this picture needs all of their rounds; use "
+                              "--device cpu");
+        }
+        most_samples_ = sample_count / 2;
+    }
+
+    /// Leaves the film alone where the driver ended loops early.
+    DispatchCounts render_piece(VkPipeline pipeline, const Piece& piece, Film& film) {
         film_buffers_.reserve(gpu_, pipelines_, pixels_of(piece), film.aovs);
         const bool continues = piece.first_sample != 0;
         if (continues) film_buffers_.fetch(gpu_, film, piece.rect);
@@ -110,7 +137,8 @@ private:
                                         static_cast<std::uint32_t>(rect.width()),
                                         static_cast<std::uint32_t>(rect.height()),
                                         piece.first_sample,
-                                        piece.sample_count};
+                                        piece.sample_count,
+                                        2};
         const auto start = std::chrono::steady_clock::now();
         gpu_.run([&](VkCommandBuffer commands) {
             const DeviceFunctions& f = gpu_.functions();
@@ -127,7 +155,9 @@ private:
         });
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         pace_.learn(pixels_of(piece) * piece.sample_count, seconds.count());
-        return film_buffers_.store(gpu_, film, rect, piece.first_sample);
+        const DispatchCounts counts = film_buffers_.counts(gpu_);
+        if (!counts.cut_loops) film_buffers_.store(gpu_, film, rect, piece.first_sample);
+        return counts;
     }
 
     Gpu gpu_;
@@ -136,6 +166,7 @@ private:
     std::optional<SceneBuffers> buffers_;
     FilmBuffers film_buffers_;
     Pace pace_;
+    std::uint32_t most_samples_ = std::numeric_limits<std::uint32_t>::max();  ///< Of a pixel in one dispatch.
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walks along rays by how dense media can be at most: everywhere, or, where a list of media has a grid (made by
 // compile/media_bound), in each of its cells (Amanatides and Woo, A Fast Voxel Traversal Algorithm, Eurographics 1987;
-// Fong et al., Production Volume Rendering, SIGGRAPH 2017 course). Empty cells are passed without a look. CPU only.
+// Fong et al., Production Volume Rendering, SIGGRAPH 2017 course). Empty cells are passed without a look.
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MAJORANTS_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MAJORANTS_H
 

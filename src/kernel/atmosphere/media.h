@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Participating media: what particles in the air or in an object absorb, emit and scatter (POV-Ray's reference, section
-// 3.4.8 "Media"). CPU only.
+// 3.4.8 "Media").
 #ifndef SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 #define SUNDOG_KERNEL_ATMOSPHERE_MEDIA_H
 
@@ -69,6 +69,20 @@ FN_LARGE MediaPoint media_at(SCENE MediaGroup group, real3 p, OUT(Scatterers) sc
     return point;
 }
 
+/// Extinction of media that are the same everywhere.
+FN real3 even_extinction(SCENE MediaGroup group) {
+    real3 extinction = real3(real(0.0f));
+    for (uint k = 0u; k < group.count; k = k + 1u) {
+        uint list = group.list[k];
+        for (uint i = 0u; i < AT(code, list); i = i + 1u) {
+            uint at = list + MEDIA_LIST_WORDS + i * MEDIUM_WORDS;
+            extinction = extinction + real3(code_vec3(SCENE_ at)) +
+                         real3(code_vec3(SCENE_ at + 6u)) * real(code_float(SCENE_ at + 9u));
+        }
+    }
+    return extinction;
+}
+
 /// e to the power of -x, for each channel.
 FN real3 dimmed_by(real3 x) {
     return real3(exp2_clamped(x.x * -1.44269504f), exp2_clamped(x.y * -1.44269504f), exp2_clamped(x.z * -1.44269504f));
@@ -100,6 +114,7 @@ FN real3 tracked_transmittance(SCENE MediaGroup group, Ray ray, real reach, mask
 /// Extinction along `reach` of a ray, summed up over the places where povray's methods have their samples when no light
 /// tells them to take more.
 FN real3 media_depth(SCENE MediaGroup group, Ray ray, real reach) {
+    if (!group.varies) return even_extinction(SCENE_ group) * reach;
     real3 sum = real3(real(0.0f));
     uint samples = AT(code, group.first + 14u);
     uint intervals = AT(code, group.first + 18u);
@@ -108,11 +123,6 @@ FN real3 media_depth(SCENE MediaGroup group, Ray ray, real reach) {
     uint places = adaptive ? 2u * samples - 1u : samples;
     float step = adaptive ? 0.5f / float(samples) : 1.0f / float(samples);
     float share = adaptive ? 1.0f / float(3u * (samples - 1u)) : step;
-    if (!group.varies) {
-        intervals = 1u;
-        places = 1u;
-        share = 1.0f;
-    }
     share = share / float(intervals);
     step = step / float(intervals);
     Scatterers scatterers;
@@ -139,7 +149,7 @@ FN_LARGE real3 media_transmittance(SCENE Ray ray, real distance, MediaInsides in
         MediaGroup group;
         mask here = take_alike(SCENE_ insides, atmosphere, todo, group);
         if (group.count == 0u || !group.absorbs) continue;
-        if (group.varies && FRAME.integrator == INTEGRATOR_PATH) {
+        if (group.varies && INTEGRATOR_IS(INTEGRATOR_PATH)) {
             passes = select(here, tracked_transmittance(SCENE_ group, ray, reach, here), passes);
             continue;
         }

@@ -52,6 +52,13 @@
 // FN_RECURSIVE, above: for a large function that calls itself, but never in plain scenes, which its call would slow.
 #define OUT(T) T&
 #define INOUT(T) T&
+/// There is code for media. Shaders have it only where SUNDOG_MEDIA is defined, for it makes them a lot larger.
+#define KERNEL_MEDIA
+/// Some program has this OP_*, some OP_FIELD this FIELD_*: shaders leave out what none has.
+#define PROGRAMS_HAVE(op) true
+#define FIELDS_HAVE(kind) true
+/// FrameParams::integrator is this one.
+#define INTEGRATOR_IS(number) (scene.frame.integrator == (number))
 /// A parameter that is only read, and too large to be copied.
 #define LARGE(T) const T&
 #define SCENE const SceneView &scene,

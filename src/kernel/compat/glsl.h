@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The GLSL side of compat.h: one ray an invocation. The including shader declares, before any kernel function, the
-// buffers of kernel/arrays.h, a FrameParams named `frame`, and specialization constants `frame_features` and
-// `frame_aovs`.
+// buffers of kernel/arrays.h, a FrameParams named `frame`, and specialization constants `frame_features`,
+// `frame_aovs`, `frame_integrator`, `program_ops` and `program_fields`. With SUNDOG_MEDIA, the shader draws
+// participating media.
 #ifndef SUNDOG_KERNEL_COMPAT_GLSL_H
 #define SUNDOG_KERNEL_COMPAT_GLSL_H
 
@@ -19,6 +20,12 @@
 #define FEATURE(bits) ((frame_features & (bits)) != 0u)
 #define WANTS_AOV(bits) ((frame_aovs & (bits)) != 0u)
 #define RECORDING false
+#define INTEGRATOR_IS(number) (frame_integrator == (number))
+#define PROGRAMS_HAVE(op) ((program_ops & (1u << (op))) != 0u)
+#define FIELDS_HAVE(kind) ((program_fields & (1u << (kind))) != 0u)
+#ifdef SUNDOG_MEDIA
+#define KERNEL_MEDIA
+#endif
 #define AT(array, i) array[i]
 #define FIELD(array, i, field) array[i].field
 #define GET(array, i) array[i]

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lies between surfaces: media, fog, rainbows. The device defines its traversal first (see whitted.h).
+// What lies between surfaces beside media: fog, rainbows.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_AIR_H
 #define SUNDOG_KERNEL_INTEGRATORS_AIR_H
 
 #include "kernel/atmosphere/fog.h"
 #include "kernel/atmosphere/media_insides.h"
 #include "kernel/atmosphere/rainbow.h"
-#ifdef __cplusplus
-#include "kernel/integrators/media.h"
-#endif
 
 KERNEL_BEGIN
 
@@ -33,15 +30,6 @@ FN void cross_fog(SCENE Ray ray, real reach, MediaInsides media, mask alive, INO
             weight = select(in_air, dimmed, weight);
         }
     }
-}
-
-/// The same through all that there is in the air, media too.
-FN void cross_air(SCENE Ray ray, real reach, MediaInsides media, mask alive, INOUT(real3) weight, INOUT(real3) radiance,
-                  INOUT(RayCounts) counts) {
-#ifdef __cplusplus
-    if (FEATURE(FEATURE_MEDIA)) radiance = radiance + media_radiance(SCENE_ ray, reach, media, alive, weight, counts);
-#endif
-    cross_fog(SCENE_ ray, reach, media, alive, weight, radiance);
 }
 
 KERNEL_END

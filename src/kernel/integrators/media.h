@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // What media send along a ray: their own light and what they scatter of lights, with shadows. Samples stand where
 // povray's do (reference, section 3.4.8.2.4 "Sampling Parameters & Methods"; the places are those that pictures of
-// povray 3.7 show), and count as there. CPU only.
+// povray 3.7 show), and count as there.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_MEDIA_H
 #define SUNDOG_KERNEL_INTEGRATORS_MEDIA_H
 
 #include "kernel/atmosphere/media.h"
 #include "kernel/atmosphere/scattering.h"
-#include "kernel/lights/photon_light.h"
 #include "kernel/lights/shadow.h"
 #include "kernel/patterns/noise.h"
+#ifdef __cplusplus
+#include "kernel/lights/photon_light.h"
+#endif
 
 KERNEL_BEGIN
 
@@ -137,20 +139,20 @@ FN void share_intervals(LitStretches lit, real reach, float ratio, INOUT(real) o
         passed = select(crosses, beyond(lit, k, reach), passed);
     }
     dark_count = dark_count + select(passed < reach, one, none);
-    real shared = of_dark - dark_count;
-    of_lit = max(-floor(shared * -ratio / max(lit_count, one)), one);
-    of_dark = select(lit_count > none, max(-floor(shared * (ratio - 1.0f)), one), of_dark);
+    real to_share = of_dark - dark_count;
+    of_lit = max(-floor(to_share * -ratio / max(lit_count, one)), one);
+    of_dark = select(lit_count > none, max(-floor(to_share * (ratio - 1.0f)), one), of_dark);
 }
 
 /// All media at a point of a ray, with the light that they scatter along it.
-FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(RayCounts) counts) {
+FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask asking, INOUT(RayCounts) counts) {
     real3 p = point_at(r.ray, t);
     Scatterers scatterers;
     MediaPoint point = media_at(SCENE_ r.group, p, scatterers);
     if (scatterers.count == 0u) return point;
     real most = real(0.0f);
     for (uint k = 0u; k < scatterers.count; k = k + 1u) most = max(most, largest(abs(scatterers.color[k])));
-    mask scatters = mask_and(active, most > real(0.0f));
+    mask scatters = mask_and(asking, most > real(0.0f));
     if (!any_lane(scatters)) return point;
     real3 black = real3(real(0.0f));
     for (uint i = 0u; i < FRAME.light_count; i = i + 1u) {
@@ -175,6 +177,7 @@ FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(Ra
             point.glow = point.glow + scatterers.color[k] * color * phase;
         }
     }
+#ifdef __cplusplus
     if (FEATURE(FEATURE_PHOTONS) && r.group.collects && scene.photons->has_media()) {
         PhotonQuery query;
         set_photon_query(p, scatters, query);
@@ -186,6 +189,7 @@ FN_LARGE MediaPoint lit_media_at(SCENE MediaRay r, real t, mask active, INOUT(Ra
             point.glow = point.glow + select(scatters, scatterers.color[k] * color * phase, black);
         }
     }
+#endif
     return point;
 }
 
@@ -200,29 +204,9 @@ FN mask differ(MediaPoint a, MediaPoint b, float threshold) {
 FN real media_jitter(Ray ray, word number, float amount) { return (random_at(ray.direction, number) - 0.5f) * amount; }
 
 /// Adds a step of length dt: dimmed by what came before it alone, as povray's pictures show.
-FN void add_step(MediaPoint mean, real dt, mask here, INOUT(MediaLight) out) {
-    out.glow = select(here, out.glow + out.passes * mean.glow * dt, out.glow);
-    out.passes = select(here, out.passes * dimmed_by(mean.extinction * dt), out.passes);
-}
-
-/// Methods 1 and 2: the middles of even steps, or places about them. As povray's pictures show, a sample's light is
-/// dimmed from the interval's begin on by what is at the sample itself.
-FN void march_evenly(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) out,
-                     INOUT(RayCounts) counts) {
-    uint samples = AT(code, r.group.first + 14u);
-    float jitter = AT(code, r.group.first + 15u) == 1u ? 1.0f : code_float(SCENE_ r.group.first + 19u);
-    real dt = len * (1.0f / float(samples));
-    real3 depth = real3(real(0.0f));
-    real3 glow = depth;
-    for (uint i = 0u; i < samples; i = i + 1u) {
-        real at = real(float(i) + 0.5f);
-        if (jitter > 0.0f) at = at + media_jitter(r.ray, word(number * 256u + i), jitter);
-        MediaPoint point = lit_media_at(SCENE_ r, begin + dt * at, here, counts);
-        glow = glow + dimmed_by(point.extinction * (dt * at)) * point.glow * dt;
-        depth = depth + point.extinction * dt;
-    }
-    out.glow = select(here, out.glow + out.passes * glow, out.glow);
-    out.passes = select(here, out.passes * dimmed_by(depth), out.passes);
+FN void add_step(MediaPoint mean, real dt, mask here, INOUT(MediaLight) sent) {
+    sent.glow = select(here, sent.glow + sent.passes * mean.glow * dt, sent.glow);
+    sent.passes = select(here, sent.passes * dimmed_by(mean.extinction * dt), sent.passes);
 }
 
 /// A sample that ends a part of a step: its light, its place, and the part's share of the step; 0 where it has been
@@ -251,111 +235,164 @@ FN void add_share(INOUT(MediaPoint) sum, MediaPoint point, real share) {
     sum.glow = sum.glow + point.glow * share;
 }
 
-/// Method 3: samples at the ends of steps and in their middles; where a half's ends differ, it is halved again. Each
-/// lane goes through its own tree of halves, so that all sample something as long as they have anything to sample.
-FN void march_adaptively(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) out,
-                         INOUT(RayCounts) counts) {
+/// Where a ray is in an interval that it marches through by method 3. Each lane goes through its own tree of halves, so
+/// that all sample something as long as they have anything to sample.
+struct HalvedSteps {
+    MediaPart ends[MAX_HALVINGS];  ///< Ends of the parts that a lane is in, the innermost last.
+    word depth;                    ///< How many of them; 0: the step's end is to be sampled yet.
+    word index;                    ///< The step.
+    MediaPart left, right;
+    MediaPoint sum;
+};
+
+FN MediaPoint nothing_there() {
+    MediaPoint nothing;
+    nothing.extinction = real3(real(0.0f));
+    nothing.glow = real3(real(0.0f));
+    return nothing;
+}
+
+FN HalvedSteps begun_steps(real begin, uint levels) {
+    HalvedSteps steps;
+    for (uint d = 0u; d < levels; d = d + 1u) {
+        steps.ends[d].point = nothing_there();
+        steps.ends[d].t = begin;
+        steps.ends[d].share = real(0.0f);
+    }
+    steps.depth = word(0u);
+    steps.index = word(0u);
+    steps.left = steps.ends[0];
+    steps.right = steps.ends[0];
+    steps.sum = nothing_there();
+    return steps;
+}
+
+/// Takes the sample `middle`, in the lanes of `todo`: where a half's ends differ by more than the threshold, it is
+/// halved again, but none whose share of the step is `finest`. Steps that are done go to `sent`. Leaves the lanes that
+/// have some left in `todo`.
+FN void add_sample(MediaPart middle, uint samples, uint levels, float threshold, float finest, real dt,
+                   INOUT(HalvedSteps) steps, INOUT(mask) todo, INOUT(MediaLight) sent) {
+    // The whole part is done where neither half is to be halved.
+    MediaPart left = steps.left;
+    MediaPart right = steps.right;
+    mask coarse = steps.depth == word(0u);
+    mask splits = mask_and(todo, mask_not(coarse));
+    mask may_split = mask_and(splits, right.share > real(finest));
+    mask near = mask_and(may_split, differ(left.point, middle.point, threshold));
+    mask far = mask_and(may_split, differ(middle.point, right.point, threshold));
+    mask whole = mask_and(splits, mask_not(mask_or(near, far)));
+    real third = select(whole, right.share * 0.333333333f, real(0.0f));
+    add_share(steps.sum, left.point, third);
+    add_share(steps.sum, middle.point, third);
+    add_share(steps.sum, right.point, third);
+    real near_half = select(mask_and(far, mask_not(near)), middle.share * 0.5f, real(0.0f));
+    add_share(steps.sum, left.point, near_half);
+    add_share(steps.sum, middle.point, near_half);
+    real far_half = select(mask_and(near, mask_not(far)), middle.share * 0.5f, real(0.0f));
+    add_share(steps.sum, middle.point, far_half);
+    add_share(steps.sum, right.point, far_half);
+
+    // On with the near half, the far one, or what comes after the part; a step's end opens a part.
+    MediaPart rest = right;
+    rest.share = select(far, middle.share, real(0.0f));
+    mask opens = mask_or(near, mask_and(todo, mask_and(coarse, word(0u) < steps.index)));
+    mask moves = mask_and(far, mask_not(near));
+    for (uint d = 0u; d < levels; d = d + 1u) {
+        set_part(steps.ends[d], mask_and(near, steps.depth == word(d + 1u)), rest);
+        set_part(steps.ends[d], mask_and(moves, steps.depth == word(d + 1u)), rest);
+        set_part(steps.ends[d], mask_and(opens, steps.depth == word(d)), middle);
+    }
+    steps.depth = steps.depth + select(opens, word(1u), word(0u));
+    set_part(left, mask_or(moves, mask_and(coarse, steps.index == word(0u))), middle);
+    set_part(right, moves, rest);
+    mask starts = mask_and(todo, mask_and(coarse, steps.index == word(0u)));
+    steps.index = steps.index + select(starts, word(1u), word(0u));
+    mask ended = whole;
+    while (any_lane(ended)) {
+        set_part(left, ended, right);
+        steps.depth = steps.depth - select(ended, word(1u), word(0u));
+        mask step_ended = mask_and(ended, steps.depth == word(0u));
+        if (any_lane(step_ended)) {
+            add_step(steps.sum, dt, step_ended, sent);
+            steps.sum = chosen(step_ended, nothing_there(), steps.sum);
+            steps.index = steps.index + select(step_ended, word(1u), word(0u));
+        }
+        for (uint d = 0u; d < levels; d = d + 1u)
+            set_part(right, mask_and(ended, steps.depth == word(d + 1u)), steps.ends[d]);
+        ended = mask_and(mask_and(ended, mask_not(step_ended)), right.share <= real(0.0f));
+    }
+    for (uint d = 0u; d < levels; d = d + 1u)
+        set_part(right, mask_and(opens, steps.depth == word(d + 1u)), steps.ends[d]);
+    steps.left = left;
+    steps.right = right;
+    todo = mask_and(todo, steps.index < word(samples));
+}
+
+/// Goes through one interval, of length `len`.
+///
+/// Methods 1 and 2: the middles of even steps, or places about them. As povray's pictures show, a sample's light is
+/// dimmed from the interval's begin on by what is at the sample itself. Method 3: samples at the ends of steps and in
+/// their middles, halved further where they differ; where all is the same and scatters nothing, one sample stands for
+/// all. The methods share one loop, for shaders have a copy of all that a sample needs for each place that asks for it.
+FN void march_interval(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) sent,
+                       INOUT(RayCounts) counts) {
+    uint method = AT(code, r.group.first + 15u);
+    bool evenly = method != 3u;
+    bool is_even = !evenly && !r.group.varies && !r.group.scatters;
     uint samples = AT(code, r.group.first + 14u);
     uint levels = AT(code, r.group.first + 16u);
     float threshold = code_float(SCENE_ r.group.first + 17u);
-    float jitter = code_float(SCENE_ r.group.first + 19u);
+    float jitter = method == 1u ? 1.0f : code_float(SCENE_ r.group.first + 19u);
     float finest = 1.0f / float(1u << (levels - 1u));  // The share of a step that isn't halved further.
-    real dt = len * (1.0f / float(samples - 1u));
-    real3 black = real3(real(0.0f));
-    MediaPoint nothing;
-    nothing.extinction = black;
-    nothing.glow = black;
-    MediaPart ends[MAX_HALVINGS];  // Ends of the parts that a lane is in, the innermost last.
-    for (uint d = 0u; d < levels; d = d + 1u) {
-        ends[d].point = nothing;
-        ends[d].t = begin;
-        ends[d].share = real(0.0f);
-    }
-    word depth = word(0u);  // How many of them; 0: the step's end is to be sampled yet.
-    word index = word(0u);  // The step.
-    MediaPart left = ends[0];
-    MediaPart right = ends[0];
-    MediaPoint sum = nothing;
+    real dt = len * (1.0f / float(evenly ? samples : samples - 1u));
+    real3 depth = real3(real(0.0f));
+    real3 glow = depth;
+    HalvedSteps steps;
+    if (!evenly) steps = begun_steps(begin, levels);
+    uint i = 0u;
     mask todo = here;
     while (any_lane(todo)) {
-        mask coarse = depth == word(0u);
-        real at = real_from_word(index);
-        if (jitter > 0.0f) at = at + media_jitter(r.ray, index + word(number * 256u), jitter) + 0.5f * jitter;
-        MediaPart middle;
-        middle.t = select(coarse, begin + len * ((1.0f / float(samples)) * at), (left.t + right.t) * 0.5f);
-        middle.point = lit_media_at(SCENE_ r, middle.t, todo, counts);
-        middle.share = select(coarse, real(1.0f), right.share * 0.5f);
-
-        // The whole part is done where neither half is to be halved.
-        mask splits = mask_and(todo, mask_not(coarse));
-        mask may_split = mask_and(splits, right.share > real(finest));
-        mask near = mask_and(may_split, differ(left.point, middle.point, threshold));
-        mask far = mask_and(may_split, differ(middle.point, right.point, threshold));
-        mask whole = mask_and(splits, mask_not(mask_or(near, far)));
-        real third = select(whole, right.share * 0.333333333f, real(0.0f));
-        add_share(sum, left.point, third);
-        add_share(sum, middle.point, third);
-        add_share(sum, right.point, third);
-        real near_half = select(mask_and(far, mask_not(near)), middle.share * 0.5f, real(0.0f));
-        add_share(sum, left.point, near_half);
-        add_share(sum, middle.point, near_half);
-        real far_half = select(mask_and(near, mask_not(far)), middle.share * 0.5f, real(0.0f));
-        add_share(sum, middle.point, far_half);
-        add_share(sum, right.point, far_half);
-
-        // On with the near half, the far one, or what comes after the part; a step's end opens a part.
-        MediaPart rest = right;
-        rest.share = select(far, middle.share, real(0.0f));
-        mask opens = mask_or(near, mask_and(todo, mask_and(coarse, word(0u) < index)));
-        mask moves = mask_and(far, mask_not(near));
-        for (uint d = 0u; d < levels; d = d + 1u) {
-            set_part(ends[d], mask_and(near, depth == word(d + 1u)), rest);
-            set_part(ends[d], mask_and(moves, depth == word(d + 1u)), rest);
-            set_part(ends[d], mask_and(opens, depth == word(d)), middle);
+        MediaPart part;
+        part.share = real(1.0f);
+        real at = real(float(i) + 0.5f);
+        if (evenly) {
+            if (jitter > 0.0f) at = at + media_jitter(r.ray, word(number * 256u + i), jitter);
+            part.t = begin + dt * at;
+        } else {
+            mask coarse = steps.depth == word(0u);
+            at = real_from_word(steps.index);
+            if (jitter > 0.0f) at = at + media_jitter(r.ray, steps.index + word(number * 256u), jitter) + 0.5f * jitter;
+            part.t =
+                select(coarse, begin + len * ((1.0f / float(samples)) * at), (steps.left.t + steps.right.t) * 0.5f);
+            part.share = select(coarse, part.share, steps.right.share * 0.5f);
         }
-        depth = depth + select(opens, word(1u), word(0u));
-        set_part(left, mask_or(moves, mask_and(coarse, index == word(0u))), middle);
-        set_part(right, moves, rest);
-        index = index + select(mask_and(todo, mask_and(coarse, index == word(0u))), word(1u), word(0u));
-        mask ended = whole;
-        while (any_lane(ended)) {
-            set_part(left, ended, right);
-            depth = depth - select(ended, word(1u), word(0u));
-            mask step_ended = mask_and(ended, depth == word(0u));
-            if (any_lane(step_ended)) {
-                add_step(sum, dt, step_ended, out);
-                sum = chosen(step_ended, nothing, sum);
-                index = index + select(step_ended, word(1u), word(0u));
-            }
-            for (uint d = 0u; d < levels; d = d + 1u) set_part(right, mask_and(ended, depth == word(d + 1u)), ends[d]);
-            ended = mask_and(mask_and(ended, mask_not(step_ended)), right.share <= real(0.0f));
+        part.point = lit_media_at(SCENE_ r, part.t, todo, counts);
+        i = i + 1u;
+        if (evenly) {
+            glow = glow + dimmed_by(part.point.extinction * (dt * at)) * part.point.glow * dt;
+            depth = depth + part.point.extinction * dt;
+            if (i >= samples) break;
+        } else if (is_even) {
+            for (uint k = 1u; k < samples; k = k + 1u) add_step(part.point, dt, here, sent);
+            break;
+        } else {
+            add_sample(part, samples, levels, threshold, finest, dt, steps, todo, sent);
         }
-        for (uint d = 0u; d < levels; d = d + 1u) set_part(right, mask_and(opens, depth == word(d + 1u)), ends[d]);
-        todo = mask_and(todo, index < word(samples));
     }
-}
-
-/// Steps of method 3 through what is the same everywhere and scatters nothing.
-FN void march_uniformly(SCENE MediaRay r, real len, mask here, INOUT(MediaLight) out) {
-    Scatterers scatterers;
-    MediaPoint point = media_at(SCENE_ r.group, r.ray.origin, scatterers);
-    uint steps = AT(code, r.group.first + 14u) - 1u;
-    real dt = len * (1.0f / float(steps));
-    for (uint i = 0u; i < steps; i = i + 1u) add_step(point, dt, here, out);
+    if (evenly) {
+        sent.glow = select(here, sent.glow + sent.passes * glow, sent.glow);
+        sent.passes = select(here, sent.passes * dimmed_by(depth), sent.passes);
+    }
 }
 
 /// From `begin` to `end` of a ray in a number of intervals; `seed` tells stretches of a ray apart.
 FN_LARGE void march_media(SCENE MediaRay r, real begin, real end, real intervals, uint seed, mask here,
-                          INOUT(MediaLight) out, INOUT(RayCounts) counts) {
+                          INOUT(MediaLight) sent, INOUT(RayCounts) counts) {
     mask todo = mask_and(here, begin < end);
     real len = (end - begin) / intervals;
     uint i = 0u;
     while (any_lane(todo)) {
-        real from = begin + len * float(i);
-        uint number = seed + i * 64u;
-        if (AT(code, r.group.first + 15u) != 3u) march_evenly(SCENE_ r, from, len, number, todo, out, counts);
-        else if (!r.group.varies && !r.group.scatters) march_uniformly(SCENE_ r, len, todo, out);
-        else march_adaptively(SCENE_ r, from, len, number, todo, out, counts);
+        march_interval(SCENE_ r, begin + len * float(i), len, seed + i * 64u, todo, sent, counts);
         i = i + 1u;
         todo = mask_and(todo, real(float(i)) < intervals);
     }
@@ -380,8 +417,8 @@ FN_LARGE real3 media_radiance(SCENE Ray ray, real distance, MediaInsides insides
         }
         LitStretches lit = lit_stretches(SCENE_ r, reach, here);
         // What is the same everywhere is one interval, as in povray.
-        bool uniform = !r.group.varies && !r.group.scatters;
-        real intervals = real(uniform ? 1.0f : float(AT(code, r.group.first + 18u)));
+        bool is_even = !r.group.varies && !r.group.scatters;
+        real intervals = real(is_even ? 1.0f : float(AT(code, r.group.first + 18u)));
         real lit_intervals = intervals;
         if (lit.count > 0u && AT(code, r.group.first + 18u) > 1u)
             share_intervals(lit, reach, code_float(SCENE_ r.group.first + 20u), intervals, lit_intervals);
@@ -389,14 +426,27 @@ FN_LARGE real3 media_radiance(SCENE Ray ray, real distance, MediaInsides insides
         light.glow = real3(real(0.0f));
         light.passes = real3(real(1.0f));
         real passed = real(0.0f);
-        for (uint k = 0u; k < lit.count; k = k + 1u) {
-            mask crosses = mask_and(here, lit.enters[k] < lit.leaves[k]);
-            if (!any_lane(crosses)) continue;
-            march_media(SCENE_ r, passed, lit.enters[k], intervals, 4u * k, crosses, light, counts);
-            march_media(SCENE_ r, lit.enters[k], lit.leaves[k], lit_intervals, 4u * k + 2u, crosses, light, counts);
-            passed = select(crosses, beyond(lit, k, reach), passed);
+        // What lies before each lit stretch, that stretch, and what lies behind them all, one after the other.
+        for (uint i = 0u; i < 2u * lit.count + 1u; i = i + 1u) {
+            mask crosses = here;
+            real from = passed;
+            real to = reach;
+            real number = intervals;
+            uint k = i / 2u;
+            bool is_lit = i % 2u == 1u;
+            if (k < lit.count) {
+                crosses = mask_and(here, lit.enters[k] < lit.leaves[k]);
+                if (!any_lane(crosses)) continue;
+                to = lit.enters[k];
+            }
+            if (is_lit) {
+                from = lit.enters[k];
+                to = lit.leaves[k];
+                number = lit_intervals;
+                passed = select(crosses, beyond(lit, k, reach), passed);
+            }
+            march_media(SCENE_ r, from, to, number, 2u * i, crosses, light, counts);
         }
-        march_media(SCENE_ r, passed, reach, intervals, 4u * lit.count, here, light, counts);
         sum = select(here, sum + weight * light.glow, sum);
         weight = select(here, weight * light.passes, weight);
     }

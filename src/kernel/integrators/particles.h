@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paths in media: where a particle scatters a path, and what shines and dims on the way there. Places are drawn by
 // delta tracking (Woodcock et al. 1965) with weights for colours (Kutz et al., Spectral and Decomposition Tracking,
-// SIGGRAPH 2017), without bias whatever the density. CPU only.
+// SIGGRAPH 2017), without bias whatever the density.
 #ifndef SUNDOG_KERNEL_INTEGRATORS_PARTICLES_H
 #define SUNDOG_KERNEL_INTEGRATORS_PARTICLES_H
 

@@ -18,8 +18,10 @@
 #include "kernel/integrators/surface_met.h"
 #include "kernel/integrators/traced_path.h"
 #include "kernel/materials/spectrum.h"
-#ifdef __cplusplus
+#ifdef KERNEL_MEDIA
 #include "kernel/integrators/particles.h"
+#endif
+#ifdef __cplusplus
 #include "kernel/integrators/paths_below.h"
 #endif
 
@@ -237,7 +239,7 @@ FN void extend_path(SCENE bool together, INOUT(TracedPath) path, INOUT(real3) ra
     mask missed = mask_and(path.alive, hit.geometry == word(NONE));
     real reach = select(found, hit.t, real(3.0e38f));
     Particle particle = no_particle();
-#ifdef __cplusplus
+#ifdef KERNEL_MEDIA
     if (FEATURE(FEATURE_MEDIA)) {
         particle = track_media(SCENE_ reach, path, radiance);
         reach = select(particle.met, particle.t, reach);

@@ -69,7 +69,7 @@ FN_LARGE void see_through(SCENE PathState path, LARGE(Surface) surface, LARGE(Lo
         counts.rays = counts.rays + select(alive, word(1u), word(0u));
         Hit hit = trace_closest(SCENE_ path.ray, alive, path.kind, true);
         mask met = mask_and(alive, hit.geometry != word(NONE));
-#ifdef __cplusplus
+#ifdef KERNEL_MEDIA
         if (FEATURE(FEATURE_MEDIA)) {
             real reach = select(met, hit.t, path.ray.t_max);
             real3 clear = select(alive, media_transmittance(SCENE_ path.ray, reach, path.media, true, alive), white);

@@ -22,6 +22,9 @@
 #include "kernel/integrators/seen_through.h"
 #include "kernel/integrators/surface_met.h"
 #include "kernel/lights/direct.h"
+#ifdef KERNEL_MEDIA
+#include "kernel/integrators/media.h"
+#endif
 #ifdef __cplusplus
 #include "kernel/integrators/nested.h"
 #include "kernel/lights/indirect.h"
@@ -59,8 +62,13 @@ FN_RECURSIVE real3 path_radiance(SCENE PathState path, INOUT(RayCounts) counts, 
 #endif
         mask found = mask_and(path.alive, hit.geometry != word(NONE));
         mask missed = mask_and(path.alive, hit.geometry == word(NONE));
-        cross_air(SCENE_ path.ray, select(found, hit.t, real(3.0e38f)), path.media, path.alive, path.weight, radiance,
-                  counts);
+        real reach = select(found, hit.t, real(3.0e38f));
+#ifdef KERNEL_MEDIA
+        if (FEATURE(FEATURE_MEDIA)) {
+            radiance = radiance + media_radiance(SCENE_ path.ray, reach, path.media, path.alive, path.weight, counts);
+        }
+#endif
+        cross_fog(SCENE_ path.ray, reach, path.media, path.alive, path.weight, radiance);
         if (any_lane(missed))
             radiance = radiance + select(missed, path.weight * background_radiance(SCENE_ path.ray.direction), black);
         if (RECORDING) record_miss(SCENE_ missed, record);

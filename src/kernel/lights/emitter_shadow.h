@@ -67,7 +67,7 @@ FN_LARGE real3 emitter_visibility(SCENE Ray ray, MediaInsides insides, mask aliv
             mask in_air = FEATURE(FEATURE_HOLLOW) ? mask_and(alive, mask_not(in_solid(insides))) : alive;
             transmittance = select(in_air, dimmed, transmittance);
         }
-#ifdef __cplusplus
+#ifdef KERNEL_MEDIA
         if (FEATURE(FEATURE_MEDIA) && any_lane(alive)) {
             real3 dimmed = media_transmittance(SCENE_ ray, way, insides, true, alive);
             transmittance = select(alive, transmittance * dimmed, transmittance);

@@ -12,7 +12,7 @@
 #include "kernel/materials/layers.h"
 #include "kernel/patterns/noise.h"
 #include "kernel/rays.h"
-#ifdef __cplusplus
+#ifdef KERNEL_MEDIA
 #include "kernel/atmosphere/media.h"
 #endif
 
@@ -45,25 +45,33 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
             fog_radiance(SCENE_ ray, way, dimmed);
             transmittance = select(mask_and(alive, mask_not(in_solid(insides))), dimmed, transmittance);
         }
-#ifdef __cplusplus
-        // As in povray, what is in an object dims light where that leaves it: not the light of a lamp inside.
         mask open = mask_and(alive, mask_not(found));
-        if (in_air && any_lane(open)) {
-            real3 passes = media_transmittance(SCENE_ ray, way, solids_alone(insides), true, open);
-            transmittance = select(open, transmittance * passes, transmittance);
+        alive = found;
+        if (any_lane(alive)) {
+            // Most of what stands in the way is opaque: that is told from the material alone.
+            word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
+            mask opaque = mask_and(alive, (flags & word(MATERIAL_TRANSPARENT)) == word(0u));
+            if (FEATURE(FEATURE_PHOTONS)) {
+                word photons = FIELD(geometries, valid_index(alive, hit.geometry), photons);
+                opaque = mask_or(opaque, mask_and(alive, photons_replace_shadow(photons, light_flags)));
+            }
+            transmittance = select(opaque, real3(real(0.0f)), transmittance);
+            alive = mask_and(alive, mask_not(opaque));
+        }
+        real3 clear = real3(real(1.0f));
+#ifdef KERNEL_MEDIA
+        if (FEATURE(FEATURE_MEDIA)) {
+            // As in povray, what is in an object dims light where that leaves it: not the light of a lamp inside.
+            mask passing = in_air ? mask_or(alive, open) : alive;
+            if (any_lane(passing)) {
+                MediaInsides crossed = solids_alone(insides);
+                for (uint i = 0u; i < MAX_MEDIA_INSIDES; i = i + 1u)
+                    crossed.entry[i] = select(open, crossed.entry[i], insides.entry[i]);
+                clear = media_transmittance(SCENE_ ray, way, crossed, attenuated, passing);
+                transmittance = select(open, transmittance * clear, transmittance);
+            }
         }
 #endif
-        alive = found;
-        if (!any_lane(alive)) return transmittance;
-        // Most of what stands in the way is opaque: that is told from the material alone.
-        word flags = FIELD(materials, hit_material(SCENE_ hit, alive), flags);
-        mask opaque = mask_and(alive, (flags & word(MATERIAL_TRANSPARENT)) == word(0u));
-        if (FEATURE(FEATURE_PHOTONS)) {
-            word photons = FIELD(geometries, valid_index(alive, hit.geometry), photons);
-            opaque = mask_or(opaque, mask_and(alive, photons_replace_shadow(photons, light_flags)));
-        }
-        transmittance = select(opaque, real3(real(0.0f)), transmittance);
-        alive = mask_and(alive, mask_not(opaque));
         if (!any_lane(alive)) return transmittance;
         Surface s = surface_at(SCENE_ ray, hit, alive);
         Lobes lobes = evaluate_material(SCENE_ s, ray.direction);
@@ -81,10 +89,7 @@ FN real3 shadow_transmittance(SCENE Ray ray, MediaInsides insides, uint light_fl
                 passes = passes * select(exponent > real(0.0f), 1.0f + power(cosine, exponent), real(1.0f));
             }
         }
-#ifdef __cplusplus
-        if (FEATURE(FEATURE_MEDIA))
-            passes = passes * media_transmittance(SCENE_ ray, hit.t, insides, attenuated, alive);
-#endif
+        if (FEATURE(FEATURE_MEDIA)) passes = passes * clear;
         transmittance = select(alive, transmittance * passes, transmittance);
         alive = mask_and(alive, largest(transmittance) > real(0.0f));
         if (!any_lane(alive)) return transmittance;

@@ -30,21 +30,24 @@ FN real3 stirred_point(uint way, real3 p, vec3 amount, uint octaves, float lambd
 /// A field of noise before its wave form. `parameters`: of agate its amount of turbulence, lambda and omega.
 FN real noise_field_value(uint kind, real3 p, vec3 parameters, uint noise) {
     uint generator = noise & 255u;
-    if (kind == FIELD_NOISE) return noise_value(p, generator);
-    if (kind == FIELD_GRANITE) return min(folded_noise(p, 6u, 4.0f, generator) * 1.95f, real(1.0f));
-    if (kind == FIELD_WRINKLES)
+    if (FIELDS_HAVE(FIELD_NOISE) && kind == FIELD_NOISE) return noise_value(p, generator);
+    if (FIELDS_HAVE(FIELD_GRANITE) && kind == FIELD_GRANITE)
+        return min(folded_noise(p, 6u, 4.0f, generator) * 1.95f, real(1.0f));
+    if (FIELDS_HAVE(FIELD_WRINKLES) && kind == FIELD_WRINKLES)
         return clamp(0.5f + 0.97f * turbulence_scalar(p, 10u, 2.0f, 0.5f, generator), real(0.0f), real(1.0f));
-    if (kind == FIELD_DENTS) {
+    if (FIELDS_HAVE(FIELD_DENTS) && kind == FIELD_DENTS) {
         real n = noise_value(p, generator);
         return n * n * n;
     }
-    if (kind == FIELD_CELLS) {
+    if (FIELDS_HAVE(FIELD_CELLS) && kind == FIELD_CELLS) {
         word hash = cell_hash(real3(floor(p.x), floor(p.y), floor(p.z)), 0x2bu);
         return real_from_word(hash >> 8u) * 5.9604645e-8f;
     }
-    if (kind == FIELD_CRACKLE) return crackle_value(p);
-    if (kind == FIELD_RIPPLES || kind == FIELD_WAVES) return rings_value(p, kind == FIELD_RIPPLES);
-    // agate: bands across z, bent by turbulence.
+    if (FIELDS_HAVE(FIELD_CRACKLE) && kind == FIELD_CRACKLE) return crackle_value(p);
+    if ((FIELDS_HAVE(FIELD_RIPPLES) || FIELDS_HAVE(FIELD_WAVES)) && (kind == FIELD_RIPPLES || kind == FIELD_WAVES))
+        return rings_value(p, kind == FIELD_RIPPLES);
+    if (!FIELDS_HAVE(FIELD_AGATE)) return real(0.0f);
+    // Bands across z, bent by turbulence.
     real bent = turbulence_sum(p, noise >> 8u, parameters.y, parameters.z, generator) * (1.3f * parameters.x);
     real band = 0.5f + 0.5f * sine((bent + 1.1f * p.z) * 6.28318531f);
     return power(band, real(0.77f));
@@ -65,13 +68,14 @@ FN real field_value(uint kind, real3 p, vec3 parameters, uint noise) {
     if (kind == FIELD_CYLINDRICAL) return max(1.0f - sqrt(p.x * p.x + p.z * p.z), real(0.0f));
     if (kind == FIELD_PLANAR) return max(1.0f - a.y, real(0.0f));
     if (kind == FIELD_BOXED) return max(1.0f - largest(a), real(0.0f));
-    if (kind == FIELD_RADIAL) return angle_of(p.x, p.z) * 0.159154943f + 0.75f;
-    if (kind == FIELD_LEOPARD) {
+    if (FIELDS_HAVE(FIELD_RADIAL) && kind == FIELD_RADIAL) return angle_of(p.x, p.z) * 0.159154943f + 0.75f;
+    if (FIELDS_HAVE(FIELD_LEOPARD) && kind == FIELD_LEOPARD) {
         real sum = (sine(p.x) + sine(p.y) + sine(p.z)) * 0.333333333f;
         return sum * sum;
     }
     if (kind == FIELD_WOOD) return sqrt(p.x * p.x + p.y * p.y);
     if (kind == FIELD_MARBLE) return p.x;
+    if (!FIELDS_HAVE(FIELD_SPIRAL1) && !FIELDS_HAVE(FIELD_SPIRAL2)) return real(0.0f);
     // Counted from -y, which shows where a frequency isn't whole.
     real turns = fraction(angle_of(p.y, p.x) * 0.159154943f + 0.25f) * parameters.x;
     real radius = sqrt(p.x * p.x + p.y * p.y);

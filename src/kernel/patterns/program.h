@@ -3,6 +3,7 @@
 #ifndef SUNDOG_KERNEL_PATTERNS_PROGRAM_H
 #define SUNDOG_KERNEL_PATTERNS_PROGRAM_H
 
+#include "kernel/patterns/density_grid.h"
 #include "kernel/patterns/fields.h"
 #include "kernel/patterns/host.h"
 #include "kernel/patterns/texture.h"
@@ -143,22 +144,22 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
         uint source2 = instruction >> 24u;
         pc = pc + 1u;
         if (op == OP_END) break;
-        if (op == OP_SOLID) {
+        if (PROGRAMS_HAVE(OP_SOLID) && op == OP_SOLID) {
             colors[target] = add_constant(SCENE_ no_color(), pc, real(1.0f));
             pc = pc + 5u;
-        } else if (op == OP_TRANSFORM) {
+        } else if (PROGRAMS_HAVE(OP_TRANSFORM) && op == OP_TRANSFORM) {
             real3 p = points[source];
             points[target] = real3(code_vec3(SCENE_ pc)) * p.x + real3(code_vec3(SCENE_ pc + 3u)) * p.y +
                              real3(code_vec3(SCENE_ pc + 6u)) * p.z + real3(code_vec3(SCENE_ pc + 9u));
             pc = pc + 12u;
-        } else if (op == OP_FIELD) {
+        } else if (PROGRAMS_HAVE(OP_FIELD) && op == OP_FIELD) {
             values[target] = field_value(AT(code, pc), points[source], code_vec3(SCENE_ pc + 1u), AT(code, pc + 4u));
             pc = pc + 5u;
-        } else if (op == OP_WAVE) {
+        } else if (PROGRAMS_HAVE(OP_WAVE) && op == OP_WAVE) {
             values[target] = wave_value(AT(code, pc), values[target], code_float(SCENE_ pc + 1u),
                                         code_float(SCENE_ pc + 2u), code_float(SCENE_ pc + 3u));
             pc = pc + 4u;
-        } else if (op == OP_MAP) {
+        } else if (PROGRAMS_HAVE(OP_MAP) && op == OP_MAP) {
             uint count = AT(code, pc);
             PigmentColor sum = no_color();
             for (uint i = 0u; i < count; i = i + 1u) {
@@ -172,11 +173,11 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             }
             colors[target] = sum;
             pc = pc + 1u + count * 6u;
-        } else if (op == OP_CHOICE) {
+        } else if (PROGRAMS_HAVE(OP_CHOICE) && op == OP_CHOICE) {
             values[target] =
                 choice_value(AT(code, pc), points[source], code_vec3(SCENE_ pc + 1u), code_float(SCENE_ pc + 4u));
             pc = pc + 5u;
-        } else if (op == OP_PICK) {
+        } else if (PROGRAMS_HAVE(OP_PICK) && op == OP_PICK) {
             uint count = AT(code, pc);
             PigmentColor sum = no_color();
             for (uint i = 0u; i < count; i = i + 1u) {
@@ -186,9 +187,9 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             }
             colors[target] = sum;
             pc = pc + 1u + count * 5u;
-        } else if (op == OP_CLEAR) {
+        } else if (PROGRAMS_HAVE(OP_CLEAR) && op == OP_CLEAR) {
             colors[target] = no_color();
-        } else if (op == OP_ENTER_MAP || op == OP_ENTER_PICK || op == OP_ENTER_SHARE) {
+        } else if (PROGRAMS_HAVE(OP_BLEND) && (op == OP_ENTER_MAP || op == OP_ENTER_PICK || op == OP_ENTER_SHARE)) {
             real share;
             if (op == OP_ENTER_MAP) {
                 share = entry_share(values[target], code_float(SCENE_ pc), code_float(SCENE_ pc + 1u),
@@ -208,27 +209,34 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             uint skip = AT(code, pc);
             pc = pc + 1u;
             if (!any_lane(wanted)) pc = pc + skip;
-        } else if (op == OP_BLEND) {
+        } else if (PROGRAMS_HAVE(OP_BLEND) && op == OP_BLEND) {
             real share = shares[target];
             PigmentColor entry = colors[target + 1u];
             colors[target].rgb = colors[target].rgb + entry.rgb * share;
             colors[target].filtered = colors[target].filtered + entry.filtered * share;
             colors[target].transmitted = colors[target].transmitted + entry.transmitted * share;
-        } else if (op == OP_WEIGHT) {
+        } else if (PROGRAMS_HAVE(OP_WEIGHT) && op == OP_WEIGHT) {
             weight = colors[0].rgb.x;
             asking[0] = mask_and(at.asking, weight > real(0.0f));
             if (!any_lane(asking[0])) break;
-        } else if (op == OP_GRAY) {
+        } else if (PROGRAMS_HAVE(OP_GRAY) && op == OP_GRAY) {
             PigmentColor c = colors[source];
             values[target] = color_part(c, AT(code, pc));
             pc = pc + 1u;
-        } else if (op == OP_POWER) {
+        } else if (PROGRAMS_HAVE(OP_POWER) && op == OP_POWER) {
             real raised = power(values[target], real(code_float(SCENE_ pc)));
             values[target] = select(raised > real(1.0f), fraction(raised), raised);
             pc = pc + 1u;
-        } else if (op == OP_TILING) {
+        } else if (PROGRAMS_HAVE(OP_TILING) && op == OP_TILING) {
             values[target] = tiling_value(SCENE_ pc + 1u, points[source]);
             pc = pc + 1u + AT(code, pc);
+        } else if (PROGRAMS_HAVE(OP_DENSITY) && op == OP_DENSITY) {
+#ifdef __cplusplus
+            values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
+#else
+            values[target] = density_at(SCENE_ pc + 1u, points[source]);
+#endif
+            pc = pc + 7u + AT(code, pc + 6u);
 #ifdef __cplusplus
         } else if (op == OP_HOST_FIELD) {
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
@@ -241,12 +249,12 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             points[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]);
             pc = pc + 1u;
 #endif
-        } else if (op == OP_TURBULENCE) {
+        } else if (PROGRAMS_HAVE(OP_TURBULENCE) && op == OP_TURBULENCE) {
             uint how = AT(code, pc + 3u);
             points[target] = stirred_point(how >> 16u, points[source], code_vec3(SCENE_ pc), (how >> 8u) & 255u,
                                            code_float(SCENE_ pc + 4u), code_float(SCENE_ pc + 5u), how & 255u);
             pc = pc + 6u;
-        } else {  // OP_IMAGE
+        } else if (PROGRAMS_HAVE(OP_IMAGE)) {  // OP_IMAGE
             colors[target] = image_color(SCENE_ pc, points[source]);
             pc = pc + 5u;
         }

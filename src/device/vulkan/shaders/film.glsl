@@ -4,9 +4,8 @@
 
 layout(local_size_x = GROUP_WIDTH, local_size_y = GROUP_HEIGHT) in;
 
-/// Low and high halves of the number of rays, then of shadow rays; then the pixels.
 layout(scalar, set = 0, binding = BINDING_RADIANCE) restrict buffer radiance_buffer {
-    uint counters[4];
+    uint counters[COUNTERS];
     vec4 radiance_sums[];
 };
 layout(scalar, set = 0, binding = BINDING_AOVS) restrict buffer aovs_buffer { PixelAovs pixel_aovs[]; };
@@ -18,6 +17,17 @@ void count(uint place, uint rays) {
         uint before = atomicAdd(counters[place], sum);
         if (before > 0xffffffffu - sum) atomicAdd(counters[place + 1u], 1u);
     }
+}
+
+/// Counts what was traced. Mesa's llvmpipe ends each loop at the end of its first round once an invocation has gone
+/// through 65,535 rounds in all its loops together (lp_bld_limits.h), and pictures are wrong: a loop shows whether it
+/// has come to that.
+void count_all(RayCounts counts) {
+    count(COUNTER_RAYS, counts.rays);
+    count(COUNTER_SHADOW_RAYS, counts.shadow_rays);
+    uint rounds = 0u;
+    for (uint i = 0u; i < work.probe_rounds; ++i) rounds += i;
+    count(COUNTER_CUT_LOOPS, rounds == 1u ? 0u : 1u);
 }
 
 void write_aovs(uint pixel, FirstHit first) {

@@ -28,6 +28,13 @@ LAYOUT_CONST uint BINDING_AOVS = 31u;
 LAYOUT_CONST uint BINDING_FRAME = 32u;
 LAYOUT_CONST uint BINDING_COUNT = 33u;
 
+/// What dispatches count, at the beginning of the buffer of radiance: low and high halves of the number of rays, then
+/// of shadow rays; workgroups' parts in which loops were cut short; nothing.
+LAYOUT_CONST uint COUNTERS = 8u;
+LAYOUT_CONST uint COUNTER_RAYS = 0u;
+LAYOUT_CONST uint COUNTER_SHADOW_RAYS = 2u;
+LAYOUT_CONST uint COUNTER_CUT_LOOPS = 4u;
+
 /// Sides of a workgroup, in pixels.
 LAYOUT_CONST uint GROUP_WIDTH = 8u;
 LAYOUT_CONST uint GROUP_HEIGHT = 8u;
@@ -60,6 +67,7 @@ struct Dispatch {
     uint x0, y0;         ///< The first pixel.
     uint width, height;  ///< How many; the buffers hold them row by row.
     uint first_sample, sample_count;
+    uint probe_rounds;  ///< Of the loop that shows whether the driver cuts loops short: 2, which no compiler knows.
 };
 
 // Exact solids: slots of 64 bits, each a double or two words. A solid's tree stands in preorder, a node in

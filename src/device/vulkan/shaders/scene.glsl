@@ -21,3 +21,6 @@ layout(constant_id = 1) const uint frame_aovs = 0u;
 layout(constant_id = 2) const uint stack_size = 16u;
 /// FrameParams::integrator likewise.
 layout(constant_id = 3) const uint frame_integrator = 0u;
+/// RenderScene::program_ops and program_fields likewise.
+layout(constant_id = 6) const uint program_ops = 0xffffffffu;
+layout(constant_id = 7) const uint program_fields = 0xffffffffu;

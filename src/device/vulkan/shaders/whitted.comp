@@ -36,6 +36,5 @@ void main() {
         radiance_sums[pixel] = sum;
         if ((frame_aovs & AOV_COST) != 0u) pixel_aovs[pixel].cost = float(counts.rays);
     }
-    count(0u, counts.rays);
-    count(2u, counts.shadow_rays);
+    count_all(counts);
 }
