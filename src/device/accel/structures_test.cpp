@@ -29,7 +29,7 @@ struct TestScene {
             if (kind == kernel::GEOMETRY_SPHERE) return scene.spheres.size();
             return kind == kernel::GEOMETRY_BOX ? scene.boxes.size() : scene.triangles.size();
         };
-        scene.geometries.push_back({kind, first, static_cast<std::uint32_t>(count_of()) - first, kernel::NONE, 0, 0});
+        scene.geometries.push_back({kind, first, static_cast<std::uint32_t>(count_of()) - first, kernel::NONE, 0, 0, 0});
     }
     void add_triangle(Vec3 a, Vec3 b, Vec3 c) {
         const auto first = static_cast<std::uint32_t>(scene.positions.size());

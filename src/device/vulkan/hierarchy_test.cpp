@@ -14,7 +14,7 @@ RenderScene three_spheres(std::uint32_t moving) {
     for (std::uint32_t i = 0; i < 3; ++i) {
         scene.spheres.push_back({{static_cast<float>(i) * 10, 0, 0}, 1, 0});
         const std::uint32_t instance = i + moving >= 3 ? i + moving - 3 : kernel::NONE;
-        scene.geometries.push_back({kernel::GEOMETRY_SPHERE, i, 1, instance, 0, 0});
+        scene.geometries.push_back({kernel::GEOMETRY_SPHERE, i, 1, instance, 0, 0, 0});
     }
     scene.planes.push_back({{0, 0, 1}, 0, 0, 3});
     scene.geometries.push_back({kernel::GEOMETRY_PLANE, 0, 1, kernel::NONE, 0, 0, 0});

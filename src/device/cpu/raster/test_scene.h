@@ -42,7 +42,7 @@ struct TestScene {
         for (const kernel::Geometry& g : scene.geometries)
             if (g.kind == kernel::GEOMETRY_TRIANGLES) first = g.first_primitive + g.primitive_count;
         scene.geometries.push_back({kernel::GEOMETRY_TRIANGLES, first,
-                                    static_cast<std::uint32_t>(scene.triangles.size()) - first, instance, 0, 0});
+                                    static_cast<std::uint32_t>(scene.triangles.size()) - first, instance, 0, 0, 0});
     }
     void add_sphere(Vec3 center, float radius) {
         scene.spheres.push_back({{center.x, center.y, center.z}, radius, 0});
