@@ -68,8 +68,7 @@ void add_photon_options(CLI::App& command, IndirectArguments& a) {
         .add_option_function<std::string>(
             "--photons", [&a](Text text) { a.photons = parse_int("--photons", text, 0, kMostPhotons); },
             "Caustics: the lights shoot about so many photons at what mirrors or refracts, for example 500000; 0: "
-            "none, "
-            "even if the scene asks for them")
+            "none, even if the scene asks for them")
         ->type_name("N");
 }
 

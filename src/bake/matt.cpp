@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/matt.h"
 
+#include "compile/material.h"
+
 namespace sundog::bake {
 namespace {
 
@@ -8,15 +10,13 @@ constexpr Vec3 kWhite{1, 1, 1};
 
 void make_matt(scene::MtlSurface& m) {
     if (m.illum == 0) return;
-    // What the numbers of illum mean is MTL's: 3 to 8 mirror, these refract.
-    const bool refracts = m.illum == 4 || m.illum == 6 || m.illum == 7 || m.illum == 9;
-    const bool clear = refracts && (m.opacity < 1 || !(m.transmission_filter == kWhite) || m.ior != 1);
-    if (clear) {
-        m.diffuse = min(m.diffuse + m.transmission_filter, kWhite);
+    const Vec3 passes = mtl_refracts(m.illum) ? mtl_transmittance(m) : Vec3{};
+    if (passes.x > 0 || passes.y > 0 || passes.z > 0) {
+        m.diffuse = min(m.diffuse + passes, kWhite);
         m.opacity = 1;
         m.transmission_filter = kWhite;
         m.ior = 1;
-    } else if (m.illum >= 3 && m.illum <= 8) {
+    } else if (mtl_mirrors(m.illum)) {
         m.diffuse = min(m.diffuse + m.specular, kWhite);
     }
     if (m.illum >= 3) m.illum = 1;

@@ -43,13 +43,7 @@ struct Part {
     bool endless = false;  ///< The bounds aren't known.
 };
 
-bool meet(const Part& a, const Part& b) {
-    if (a.endless || b.endless) return true;
-    const auto apart = [&](float Vec3::*axis) {
-        return a.bounds.lower.*axis > b.bounds.upper.*axis || b.bounds.lower.*axis > a.bounds.upper.*axis;
-    };
-    return !a.bounds.empty() && !b.bounds.empty() && !apart(&Vec3::x) && !apart(&Vec3::y) && !apart(&Vec3::z);
-}
+bool meet(const Part& a, const Part& b) { return a.endless || b.endless || scene::overlap(a.bounds, b.bounds); }
 
 Part part_of(const scene::Object& object, const std::vector<std::optional<Content>>& contents) {
     Part part;

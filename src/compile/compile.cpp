@@ -20,6 +20,7 @@
 #include "compile/photon_targets.h"
 #include "compile/principled.h"
 #include "compile/solid.h"
+#include "scene/bounds.h"
 #include "solids/compiled_solid.h"
 
 namespace sundog {
@@ -274,23 +275,6 @@ private:
     std::uint32_t instance_count_ = 0;
 };
 
-/// Object-space bounds; empty for a plane.
-Bounds3 bounds_of(const scene::Object& object) {
-    Bounds3 bounds;
-    if (const auto* mesh = std::get_if<Boxed<scene::Mesh>>(&object.shape)) {
-        for (const scene::Mesh::Triangle& t : (*mesh)->triangles)
-            for (const std::uint32_t p : t.position) bounds.include((*mesh)->positions[p]);
-    } else if (const auto* sphere = std::get_if<scene::Sphere>(&object.shape)) {
-        const Vec3 r{sphere->radius, sphere->radius, sphere->radius};
-        bounds.include(sphere->center - r);
-        bounds.include(sphere->center + r);
-    } else if (const auto* box = std::get_if<scene::Box>(&object.shape)) {
-        bounds.include(box->lower);
-        bounds.include(box->upper);
-    }
-    return bounds;
-}
-
 bool has_map(const RenderScene& scene, const kernel::Bsdf& bsdf, std::uint32_t which) {
     return bsdf.maps != kernel::NONE && scene.bsdf_maps[bsdf.maps].map[which].texture != kernel::NONE;
 }
@@ -357,7 +341,7 @@ void note_one_sided(const scene::Object& object, const kernel::Geometry& geometr
     });
     if (!one_sided) return;
     if (!is_closed(**mesh)) out.features |= kernel::FEATURE_ONE_SIDED;
-    else out.closed_one_sided.push_back({static_cast<std::uint32_t>(out.geometries.size()), bounds_of(object)});
+    else out.closed_one_sided.push_back({static_cast<std::uint32_t>(out.geometries.size()), scene::bounds_of(object)});
 }
 
 }  // namespace
@@ -385,7 +369,7 @@ std::shared_ptr<const RenderScene> compile(const scene::Scene& scene, const Warn
         if (geometry.primitive_count == 0) continue;
         note_one_sided(object, geometry, *out);
         list.add(geometry, object);
-        list.add_bounds(bounds_of(object), object);
+        list.add_bounds(scene::bounds_of(object), object);
     }
     list.finish(warn);
     find_bodies(scene, *out);

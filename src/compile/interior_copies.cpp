@@ -37,11 +37,6 @@ struct Holder {
     Bounds3 bounds;  ///< Empty: unknown, or without an end.
 };
 
-bool overlap(const Bounds3& a, const Bounds3& b) {
-    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y &&
-           a.lower.z <= b.upper.z && b.lower.z <= a.upper.z;
-}
-
 bool share(const Numbers& a, const Numbers& b) {
     return std::any_of(a.begin(), a.end(), [&](std::uint32_t n) { return std::binary_search(b.begin(), b.end(), n); });
 }
@@ -117,7 +112,7 @@ InteriorCopies interior_copies(const scene::Scene& scene) {
         std::vector<bool> taken;
         neighbours.for_each_cell(holder.bounds, [&](std::vector<std::size_t>& cell) {
             for (const std::size_t other : cell) {
-                if (!overlap(holder.bounds, holders[other].bounds)) continue;
+                if (!scene::overlap(holder.bounds, holders[other].bounds)) continue;
                 if (!share(holder.interiors, holders[other].interiors)) continue;
                 const std::uint32_t copy = copies.of_object[holders[other].object];
                 if (taken.size() <= copy) taken.resize(copy + 1);

@@ -26,19 +26,7 @@ std::uint32_t wrap_flags(const scene::TextureUse& use) {
            (use.wrap_v == Wrap::mirror ? kernel::TEXTURE_MIRROR_V : 0U);
 }
 
-bool refracts(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
-bool mirrors(int illum) { return illum >= 3 && illum <= 8; }
 bool fresnel(int illum) { return illum == 5 || illum == 7; }
-
-Vec3 transmittance_of(const scene::MtlSurface& m) {
-    const float passes = std::clamp(1 - m.opacity, 0.0F, 1.0F);
-    if (!refracts(m.illum)) return kWhite * passes;
-    const Vec3 filter = clamp01(m.transmission_filter);
-    if (passes > 0) return filter * passes;
-    const bool tinted = !(filter == kWhite);
-    const bool glass_with_d_1 = tinted || ((m.illum == 6 || m.illum == 7) && m.ior != 1);
-    return glass_with_d_1 ? filter : Vec3{};
-}
 
 /// Mirror, diffuse and highlight of an opaque surface with the PBR extension's keys.
 void set_pbr(const scene::MtlSurface& m, kernel::Material& out) {
@@ -64,6 +52,19 @@ void set_pbr(const scene::MtlSurface& m, kernel::Material& out) {
 }
 
 }  // namespace
+
+bool mtl_refracts(int illum) { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
+bool mtl_mirrors(int illum) { return illum >= 3 && illum <= 8; }
+
+Vec3 mtl_transmittance(const scene::MtlSurface& m) {
+    const float passes = std::clamp(1 - m.opacity, 0.0F, 1.0F);
+    if (!mtl_refracts(m.illum)) return kWhite * passes;
+    const Vec3 filter = clamp01(m.transmission_filter);
+    if (passes > 0) return filter * passes;
+    const bool tinted = !(filter == kWhite);
+    const bool glass_with_d_1 = tinted || ((m.illum == 6 || m.illum == 7) && m.ior != 1);
+    return glass_with_d_1 ? filter : Vec3{};
+}
 
 kernel::TextureRef compile_use(const scene::TextureUse& use, std::span<const scene::Texture> textures) {
     kernel::TextureRef ref{};
@@ -114,17 +115,17 @@ kernel::Material compile_material(const scene::MtlSurface& m, const kernel::Mate
     out.shininess = m.shininess;
     out.flags = m.phong_highlight ? kernel::MATERIAL_PHONG : 0;
 
-    const Vec3 transmittance = transmittance_of(m);
+    const Vec3 transmittance = mtl_transmittance(m);
     const bool transparent = !black(transmittance);
     out.transmittance = to_kernel(transmittance);
-    out.ior = transparent && refracts(m.illum) && m.ior > 0 ? m.ior : 1;
+    out.ior = transparent && mtl_refracts(m.illum) && m.ior > 0 ? m.ior : 1;
 
     if (m.illum == 0) {
         out.emission = to_kernel(m.emission + m.diffuse);
         out.ambient = out.diffuse = {0, 0, 0};
     } else if (!transparent && (m.roughness || m.metallic || m.clearcoat)) {
         set_pbr(m, out);
-    } else if (mirrors(m.illum) && !black(m.specular)) {
+    } else if (mtl_mirrors(m.illum) && !black(m.specular)) {
         if (fresnel(m.illum)) out.flags |= kernel::MATERIAL_FRESNEL;
         const bool shared_by_fresnel = transparent && m.illum == 7;
         const Vec3 most = shared_by_fresnel ? kWhite : kWhite - transmittance;

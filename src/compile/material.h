@@ -31,6 +31,12 @@
 
 namespace sundog {
 
+/// Of the illumination models above: those that refract what passes, and those that mirror.
+bool mtl_refracts(int illum);
+bool mtl_mirrors(int illum);
+/// How much light passes through a surface, before any Fresnel share; 0 for opaque ones.
+Vec3 mtl_transmittance(const scene::MtlSurface& m);
+
 /// The maps of a material without textures.
 kernel::MaterialMaps no_maps();
 bool any_map(const kernel::MaterialMaps& maps);

@@ -29,15 +29,7 @@ Bounds3 bounds_of(const Scene& scene) {
     Bounds3 bounds;
     for (const Object& object : scene.objects) {
         const Bounds3 own = bounds_of(object);
-        if (!object.node_motion || own.empty()) {
-            bounds.include(own);
-            continue;
-        }
-        const Affine3 world_from_object = transform_at(object, 0);
-        for (unsigned corner = 0; corner < 8; ++corner)
-            bounds.include(transform_point(world_from_object, {(corner & 1U) ? own.upper.x : own.lower.x,
-                                                               (corner & 2U) ? own.upper.y : own.lower.y,
-                                                               (corner & 4U) ? own.upper.z : own.lower.z}));
+        bounds.include(object.node_motion ? transformed(transform_at(object, 0), own) : own);
     }
     return bounds;
 }

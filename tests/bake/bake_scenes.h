@@ -20,12 +20,6 @@ inline BakedScene baked(const scene::Scene& s, BakeOptions options, int threads 
     return bake(s, *compiled, session, options, {}, progress, stop);
 }
 
-inline scene::Material shining(Vec3 emission, Vec3 diffuse) {
-    scene::Material m = test::matt(diffuse);
-    m.mtl->emission = emission;
-    return m;
-}
-
 inline scene::Scene cornell_box() {
     return import::import_scene(std::filesystem::path(SUNDOG_SOURCE_DIR) / "scenes/cornell/cornell.scene", {});
 }

@@ -205,10 +205,15 @@ TEST(Radiosity, MirrorsAndGlassAreMadeMatt) {
     scene::Material clear;
     clear.mtl->diffuse = {0, 0, 0};
     clear.mtl->transmission_filter = {0.9F, 0.8F, 0.7F};
-    clear.mtl->opacity = 0.1F;
+    clear.mtl->opacity = 0;
     clear.mtl->ior = 1.5F;
     clear.mtl->illum = 7;
     const scene::Index glass = add_material(s, clear);
+    // As some programs write each opaque surface.
+    scene::Material maya = matt({0.4F, 0.3F, 0.2F});
+    maya.mtl->ior = 1.5F;
+    maya.mtl->illum = 4;
+    const scene::Index opaque = add_material(s, maya);
     scene::Material thin;
     thin.mtl->opacity = 0.5F;
     const scene::Index veil = add_material(s, thin);
@@ -227,6 +232,7 @@ TEST(Radiosity, MirrorsAndGlassAreMadeMatt) {
     EXPECT_TRUE(is(m[mirror].emission, {1, 2, 3}));
     EXPECT_TRUE(is(m[glass].diffuse, {0.9F, 0.8F, 0.7F}));
     EXPECT_TRUE(is(m[glass].transmittance, {0, 0, 0}));
+    EXPECT_TRUE(is(m[opaque].diffuse, {0.4F, 0.3F, 0.2F}));
     EXPECT_TRUE(is(m[veil].transmittance, {0.5F, 0.5F, 0.5F}));
     EXPECT_GT(m[metal].diffuse.x, 0.9F);
     EXPECT_TRUE(is(m[metal].reflectance, {0, 0, 0}));

@@ -15,26 +15,13 @@ using namespace test;
 enum class Kind { whitted, paths, principled };
 
 scene::Material clear_body(Kind kind, float ior) {
+    if (kind != Kind::principled) return clear_glass(ior);
     scene::Material m;
-    if (kind == Kind::principled) {
-        m.principled->metallic = 0;
-        m.principled->roughness = 0;
-        m.principled->transmission = 1;
-        m.principled->thickness = 1;
-        m.principled->ior = ior;
-        return m;
-    }
-    m.mtl->diffuse = {0, 0, 0};
-    m.mtl->specular = {1, 1, 1};
-    m.mtl->ior = ior;
-    m.mtl->opacity = 0;
-    m.mtl->illum = 7;
-    return m;
-}
-
-scene::Material shining(Vec3 emission) {
-    scene::Material m = matt({0, 0, 0});
-    m.mtl->emission = emission;
+    m.principled->metallic = 0;
+    m.principled->roughness = 0;
+    m.principled->transmission = 1;
+    m.principled->thickness = 1;
+    m.principled->ior = ior;
     return m;
 }
 

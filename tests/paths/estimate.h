@@ -58,7 +58,14 @@ public:
             }
         }
     }
-    [[nodiscard]] Vec3 mean(std::size_t region) const { return means_[region]; }
+    /// That a picture made without the method is farther off somewhere than `expect_near` would allow by far: else the
+    /// method needn't have brought anything.
+    void expect_off(const Film& film, const std::vector<Region>& regions, float share, const char* without) const {
+        float off = 0;
+        for (std::size_t k = 0; k < regions.size(); ++k)
+            off = std::max(off, std::abs(mean_of(film, regions[k]).y / means_[k].y - 1));
+        EXPECT_GT(off, 3 * share) << without;
+    }
 
 private:
     static constexpr int kPictures = 16;

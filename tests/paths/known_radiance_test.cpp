@@ -21,12 +21,6 @@ FrameOptions paths(int width, int height, int depth) {
     return options;
 }
 
-scene::Material shining(Vec3 emission, Vec3 diffuse) {
-    scene::Material m = matt(diffuse);
-    m.mtl->emission = emission;
-    return m;
-}
-
 class Paths : public testing::Test {
 protected:
     Picture render(const scene::Scene& s, const FrameOptions& options, std::uint32_t samples) {
@@ -173,13 +167,7 @@ TEST_F(Paths, LampsAreThoseOfWhitted) {
 TEST_F(Paths, GlassIsInvisibleInEvenLight) {
     scene::Scene s = empty_scene();
     s.sky = {1, 1, 1};
-    scene::Material glass;
-    glass.mtl->diffuse = {0, 0, 0};
-    glass.mtl->specular = {1, 1, 1};
-    glass.mtl->ior = 1.5F;
-    glass.mtl->opacity = 0;
-    glass.mtl->illum = 7;
-    add_shape(s, scene::Sphere{{0, 5, 0}, 2}, add_material(s, glass));
+    add_shape(s, scene::Sphere{{0, 5, 0}, 2}, add_material(s, clear_glass(1.5F)));
     EXPECT_NEAR(mean(s, paths(32, 32, 64), 64), 1, 0.005F);
 }
 

@@ -33,6 +33,23 @@ inline scene::Material matt(Vec3 diffuse) {
     return m;
 }
 
+/// Kd and Ke.
+inline scene::Material shining(Vec3 emission, Vec3 diffuse = {0, 0, 0}) {
+    scene::Material m = matt(diffuse);
+    m.mtl->emission = emission;
+    return m;
+}
+
+/// Clear glass of MTL's model 7, which mirrors and refracts by Fresnel's equations.
+inline scene::Material clear_glass(float ior) {
+    scene::Material m = matt({0, 0, 0});
+    m.mtl->specular = {1, 1, 1};
+    m.mtl->ior = ior;
+    m.mtl->opacity = 0;
+    m.mtl->illum = 7;
+    return m;
+}
+
 /// Emits and mirrors: own colour `emission`, reflectance `reflectance`.
 inline scene::Material glowing_mirror(Vec3 emission, Vec3 reflectance) {
     scene::Material m;
