@@ -2,8 +2,9 @@
 #include "bake/direct_light.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "compile/alias_table.h"
+#include "compile/emitters.h"
 
 namespace sundog::bake {
 namespace {
@@ -13,23 +14,10 @@ bool is_black(const kernel::vec3& c) { return c.x == 0 && c.y == 0 && c.z == 0; 
 /// The frame with some of its emitters alone.
 Frame with_emitters(const Frame& frame, std::vector<kernel::Emitter> emitters) {
     Frame out = frame;
-    double sum = 0;
-    for (const kernel::Emitter& e : emitters) sum += e.probability;
-    std::vector<double> weights;
-    for (const kernel::Emitter& e : emitters) weights.push_back(e.probability / sum);
-    const std::vector<AliasEntry> table = emitters.empty() ? std::vector<AliasEntry>() : alias_table(weights);
-    out.params.environment.probability = 0;
-    for (std::size_t i = 0; i < emitters.size(); ++i) {
-        emitters[i].keep = table[i].keep;
-        emitters[i].alias = table[i].alias;
-        emitters[i].probability = static_cast<float>(weights[i]);
-        if (emitters[i].kind == kernel::EMITTER_ENVIRONMENT)
-            out.params.environment.probability = emitters[i].probability;
-    }
-    out.params.emitter_count = static_cast<std::uint32_t>(emitters.size());
+    std::vector<double> shares;
+    for (const kernel::Emitter& e : emitters) shares.push_back(e.probability);
+    const double sum = set_emitters(std::move(emitters), shares, out);
     out.params.emitted_power = static_cast<float>(frame.params.emitted_power * sum);
-    if (emitters.empty()) emitters.resize(1);
-    out.emitters = std::move(emitters);
     return out;
 }
 

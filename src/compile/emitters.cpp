@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "base/srgb.h"
 #include "compile/alias_table.h"
@@ -181,22 +182,27 @@ void list_emitters(const RenderScene& compiled, Frame& frame) {
             power.push_back(weight);
         }
     }
-    params.emitter_count = static_cast<std::uint32_t>(frame.emitters.size());
-    params.emitted_power = 0;
-    params.environment.probability = 0;
+    const double total = set_emitters(std::move(frame.emitters), power, frame);
+    params.emitted_power = static_cast<float>(total / (2 * kPiExact));
+}
+
+double set_emitters(std::vector<kernel::Emitter> emitters, std::span<const double> power, Frame& frame) {
+    frame.params.emitter_count = static_cast<std::uint32_t>(emitters.size());
+    frame.params.environment.probability = 0;
     const double total = std::accumulate(power.begin(), power.end(), 0.0);
     if (total > 0) {
         const std::vector<AliasEntry> table = alias_table(power);
         for (std::size_t i = 0; i < power.size(); ++i) {
-            kernel::Emitter& e = frame.emitters[i];
+            kernel::Emitter& e = emitters[i];
             e.keep = table[i].keep;
             e.alias = table[i].alias;
             e.probability = static_cast<float>(power[i] / total);
-            if (e.kind == kernel::EMITTER_ENVIRONMENT) params.environment.probability = e.probability;
+            if (e.kind == kernel::EMITTER_ENVIRONMENT) frame.params.environment.probability = e.probability;
         }
-        params.emitted_power = static_cast<float>(total / (2 * kPiExact));
     }
-    if (frame.emitters.empty()) frame.emitters.resize(1);
+    if (emitters.empty()) emitters.resize(1);
+    frame.emitters = std::move(emitters);
+    return total;
 }
 
 }  // namespace sundog

@@ -21,4 +21,8 @@ void compile_environment(const scene::Environment& environment, RenderScene& out
 /// Makes the frame's list of emitters: shining surfaces, lights, the environment. Lights and instances are there.
 void list_emitters(const RenderScene& compiled, Frame& frame);
 
+/// Makes these the frame's emitters, each drawn by its share of all `power`, which is parallel to them; the sum of that
+/// is the answer. FrameParams::emitted_power is the caller's to set.
+double set_emitters(std::vector<kernel::Emitter> emitters, std::span<const double> power, Frame& frame);
+
 }  // namespace sundog
