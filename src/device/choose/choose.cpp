@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/diagnostics.h"
+#include "device/choose/gpu_nodes.h"
 #include "device/cpu/cpu_device.h"
 #include "device/vulkan/vulkan_device.h"
 
@@ -51,8 +52,8 @@ std::vector<DeviceListing> list_devices() {
 
 std::unique_ptr<Device> open_device(std::string_view choice, int threads, Acceleration acceleration,
                                     PrimaryHits primary) {
-    if (choice != "cpu") {
-        const bool asked_for = choice == "gpu";
+    const bool asked_for = choice == "gpu";
+    if (asked_for || (choice != "cpu" && may_have_hardware_gpu())) {
         const Gpus gpus;
         if (const auto best = gpus.best(asked_for)) return make_vulkan_device(*best);
         if (asked_for) throw DeviceError("no GPU can be used here: " + gpus.why_unusable());
