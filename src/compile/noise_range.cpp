@@ -59,8 +59,8 @@ Row sum_of(const Row& a, const Row& b) {
 /// Numbers of a lattice cell's lower corner.
 using Cell = std::array<std::uint32_t, 3>;
 
-/// lattice_sum() over a part of a cell.
-Range sum_in_cell(const Cell& cell, const std::array<AxisWeights, 3>& axes, std::uint32_t seed, float slope_share,
+/// lattice_sum() over a part of a cell, of the lattice points' word `number`.
+Range sum_in_cell(const Cell& cell, const std::array<AxisWeights, 3>& axes, std::uint32_t number, float slope_share,
                   float value_share) {
     const auto& [x, y, z] = axes;
     // Along x first; then rows are blended along y, then along z.
@@ -69,10 +69,10 @@ Range sum_in_cell(const Cell& cell, const std::array<AxisWeights, 3>& axes, std:
         std::array<std::array<float, 4>, 2> corner;
         for (std::uint32_t side = 0; side < 2; ++side) {
             const std::uint32_t hash =
-                kernel::lattice_hash(cell[0] + side, cell[1] + (edge & 1U), cell[2] + (edge >> 1U) + seed);
-            corner[side] = {kernel::signed_unit(kernel::hash_word(hash)) * value_share,
-                            kernel::signed_unit(hash) * slope_share, kernel::signed_unit(hash >> 10U) * slope_share,
-                            kernel::signed_unit(hash >> 20U) * slope_share};
+                kernel::lattice_hash(cell[0] + side, cell[1] + (edge & 1U), cell[2] + (edge >> 1U));
+            const std::uint32_t bits = kernel::lattice_word(hash, number);
+            const auto part = [&](std::uint32_t i) { return kernel::lattice_part(bits, i) / kernel::LATTICE_SCALE; };
+            corner[side] = {part(3) * value_share, part(0) * slope_share, part(1) * slope_share, part(2) * slope_share};
         }
         const auto& [low, high] = corner;
         sums[edge] = sum_of(sum_of(x.weight[0], low[0], x.weight[1], high[0]),
@@ -110,10 +110,9 @@ constexpr int kMostCells = 8;
 /// More than rounding adds to a sum, here and in the kernel; relatively, to a place.
 constexpr double kSumRounding = 1e-5, kPlaceRounding = 1e-6;
 
-/// lattice_sum() over a box, once for each seed.
+/// lattice_sum() over a box, once for each of N of the lattice points' words, from number `first_word` on.
 template <std::size_t N>
-std::array<Range, N> sums_over(const RangeBox& box, const std::array<std::uint32_t, N>& seeds, float slope_share,
-                               float value_share) {
+std::array<Range, N> sums_over(const RangeBox& box, std::uint32_t first_word, float slope_share, float value_share) {
     // Of all slopes and values at their most: in a cell's middle.
     const double limit = 1.5 * static_cast<double>(slope_share) + static_cast<double>(value_share) + kSumRounding;
     std::array<Range, N> out;
@@ -144,8 +143,8 @@ std::array<Range, N> sums_over(const RangeBox& box, const std::array<std::uint32
                 const std::array axes{part(0, x), part(1, y), part(2, z)};
                 const Cell cell{kOrigin + static_cast<std::uint32_t>(x), kOrigin + static_cast<std::uint32_t>(y),
                                 kOrigin + static_cast<std::uint32_t>(z)};
-                for (std::size_t i = 0; i < N; ++i)
-                    found[i] = either(found[i], sum_in_cell(cell, axes, seeds[i], slope_share, value_share));
+                for (std::uint32_t i = 0; i < N; ++i)
+                    found[i] = either(found[i], sum_in_cell(cell, axes, first_word + i, slope_share, value_share));
             }
         }
     }
@@ -157,13 +156,15 @@ std::array<Range, N> sums_over(const RangeBox& box, const std::array<std::uint32
 }  // namespace
 
 Range noise_over(const RangeBox& box, std::uint32_t generator) {
-    const Range sum = sums_over<1>(box, {0}, kernel::NOISE_SLOPE_SHARE, 1)[0];
+    const Range sum = sums_over<1>(box, 0, 1, kernel::NOISE_VALUE_SHARE)[0];
     const auto mean = static_cast<double>(kernel::noise_mean(generator));
     const double factor =
         static_cast<double>(kernel::noise_deviation(generator)) * static_cast<double>(kernel::NOISE_SUM_SCALE);
     return clamped(Range{mean, mean} + sum * factor, 0, 1);
 }
 
-std::array<Range, 3> noise_vector_over(const RangeBox& box) { return sums_over<3>(box, {0x51, 0xa2, 0xf3}, 1.4F, 0); }
+std::array<Range, 3> noise_vector_over(const RangeBox& box) {
+    return sums_over<3>(box, 1, kernel::NOISE_VECTOR_SHARE, 0);
+}
 
 }  // namespace sundog

@@ -9,8 +9,12 @@
 namespace sundog::fields {
 namespace {
 
-const double kSlopeShare = static_cast<double>(kernel::NOISE_SLOPE_SHARE);
-constexpr double kValueShare = 1;
+constexpr double kSlopeShare = 1;
+const double kValueShare = static_cast<double>(kernel::NOISE_VALUE_SHARE);
+
+double part_of(std::uint32_t hash, std::uint32_t part) {
+    return static_cast<double>(kernel::lattice_part(hash, part)) / static_cast<double>(kernel::LATTICE_SCALE);
+}
 
 double mean_of(std::uint32_t generator) { return static_cast<double>(kernel::noise_mean(generator)); }
 double factor_of(std::uint32_t generator) {
@@ -27,9 +31,8 @@ NoiseCell make_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
     NoiseCell cell;
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
         const std::uint32_t hash = kernel::lattice_hash(x + (corner & 1U), y + (corner >> 1U & 1U), z + (corner >> 2U));
-        for (std::uint32_t axis = 0; axis < 3; ++axis)
-            cell.slope[axis][corner] = static_cast<double>(kernel::signed_unit(hash >> (10 * axis))) * kSlopeShare;
-        cell.value[corner] = static_cast<double>(kernel::signed_unit(kernel::hash_word(hash))) * kValueShare;
+        for (std::uint32_t axis = 0; axis < 3; ++axis) cell.slope[axis][corner] = part_of(hash, axis) * kSlopeShare;
+        cell.value[corner] = part_of(hash, 3) * kValueShare;
     }
     return cell;
 }

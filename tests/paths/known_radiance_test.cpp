@@ -240,6 +240,30 @@ TEST_F(Paths, SeedsGiveOtherNoiseAndTheSameMean) {
     EXPECT_NEAR(mean_of(first), mean_of(second), 0.01F * mean_of(first));
 }
 
+// All pixels see the same point, so only their numbers differ. Catches seeds that move the numbers of one picture to
+// other pixels of the next: pictures of many seeds would have the noise of a few.
+TEST_F(Paths, NoSeedMovesTheNoiseOfAnother) {
+    scene::Scene s = empty_scene();
+    const scene::Index m = add_material(s, matt({1, 1, 1}));
+    add_shape(s, scene::Plane{{0, 0, 1}, -1}, m);
+    add_shape(s, scene::Sphere{{0.5F, 0, 0}, 0.4F}, m);
+    FrameOptions options = paths(16, 16, 1);
+    options.integrator = kernel::INTEGRATOR_OCCLUSION;
+    options.occlusion_distance = 3;
+    kernel::Camera down{};
+    down.center = {0, 0, -1};
+    options.camera = down;
+    const Film first = render(s, options, 16).film;
+    options.seed = 1;
+    const Film second = render(s, options, 16).film;
+    for (const auto& [dx, dy] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
+        int same = 0;
+        for (int y = 1; y < 15; ++y)
+            for (int x = 1; x < 15; ++x) same += second.mean(x, y).x == first.mean(x + dx, y + dy).x;
+        EXPECT_LT(same, 14 * 14 / 4) << dx << ' ' << dy;
+    }
+}
+
 // A corner of two walls that reach far: half of what either sees nearby is the other. Over a floor alone nothing is in
 // the way. Catches occlusion that counts what is beyond its distance, or the surface itself.
 TEST_F(Paths, OcclusionEndsAtItsDistance) {

@@ -25,9 +25,9 @@ FN real periodic_noise(real3 p, uint period, uint seed) {
         word hash = lattice_hash((x + word(dx)) & wrap, (y + word(dy)) & wrap, ((z + word(dz)) & wrap) + word(seed));
         real3 offset = real3(f.x - float(dx), f.y - float(dy), f.z - float(dz));
         real weight = (dx == 1u ? sx : 1.0f - sx) * (dy == 1u ? sy : 1.0f - sy) * (dz == 1u ? sz : 1.0f - sz);
-        sum = sum + weight * lattice_noise(hash, offset, NOISE_SLOPE_SHARE, 1.0f);
+        sum = sum + weight * lattice_noise(hash, offset.x, offset.y, offset.z, NOISE_VALUE_SHARE);
     }
-    return sum;
+    return sum * (1.0f / (LATTICE_SCALE * NOISE_VALUE_SHARE));
 }
 
 }  // namespace sundog::intro

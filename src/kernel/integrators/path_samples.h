@@ -9,7 +9,7 @@
 KERNEL_BEGIN
 
 /// The hash of a pixel by which its paths' numbers are scrambled.
-FN word pixel_hash(SCENE word x, word y) { return hash_word(hash_word(x) + y + word(FRAME.seed)); }
+FN word pixel_hash(SCENE word x, word y) { return hash_word(hash_word(x) + y + hash_word(word(FRAME.seed))); }
 
 /// Of samples whose numbers differ in bits above these, paths of a pixel are scrambled anew.
 FN uint block_bits(PixelSampling sampling) {
