@@ -56,7 +56,8 @@ TEST_P(SolidParity, CpuAndGpuDrawTheSamePicture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SolidParity,
-                         testing::Values("solid_shapes", "solid_csg", "solid_outlines", "solid_blobs"),
+                         testing::Values("solid_shapes", "solid_csg", "solid_outlines", "solid_blobs",
+                                         "solid_coincident"),
                          [](const auto& info) { return info.param; });
 
 // Catches a shape that the GPU has no code for and draws as nothing, and a message without the object, its line or the

@@ -49,7 +49,28 @@ bool is_culled(uint material, vec3 normal, vec3 direction) {
 #include "device/vulkan/shaders/solids.glsl"
 #endif
 
-/// Tests the primitive at `place` of the leaves; where it is nearer than ray.t_max, makes it the hit.
+/// Hits so near to each other, relative to their distance, are at one place (accel/primitive_facts.h).
+const float COINCIDENT = 1e-6f;
+
+/// How far to look for hits that may be at the place of the one so far, or nearer.
+float reach_of(Hit hit) {
+    return (FEATURE(FEATURE_ANALYTIC) && hit.geometry != NONE) ? hit.t * (1.0f + COINCIDENT) : hit.t;
+}
+
+/// Whether a shape's surface counts before the hit so far: if it is nearer, or at its place and before it in order, as on
+/// the CPU (cpu/coincidence.h). What is left comes before what is entered, then what was written first. Planes, which
+/// are asked before all else, know but the order.
+bool comes_before(Hit hit, Ray ray, float t, vec3 normal, uint geometry, uint primitive) {
+    if (hit.geometry == NONE || abs(t - hit.t) > COINCIDENT * hit.t) return t < hit.t;
+    bool leaves = dot(normal, ray.direction) > 0.0f;
+    bool comparable = geometries[hit.geometry].kind != GEOMETRY_PLANE &&
+                      geometries[hit.geometry].instance == geometries[geometry].instance;
+    bool other_leaves = comparable ? dot(hit.normal, ray.direction) > 0.0f : leaves;
+    if (leaves != other_leaves) return leaves;
+    return geometry < hit.geometry || (geometry == hit.geometry && primitive < hit.primitive);
+}
+
+/// Tests the primitive at `place` of the leaves; where it counts before the hit so far, makes it the hit.
 bool hit_leaf(uint place, Ray ray, uint ray_kind, inout Hit hit) {
     Leaf leaf = leaves[place];
     if (FEATURE(FEATURE_HIDDEN) && (geometries[leaf.geometry].hidden_from & ray_kind) != 0u) return false;
@@ -60,6 +81,7 @@ bool hit_leaf(uint place, Ray ray, uint ray_kind, inout Hit hit) {
     uint kind = GEOMETRY_TRIANGLES;
     if (FEATURE(FEATURE_ANALYTIC)) kind = geometries[leaf.geometry].kind;
     if (kind == GEOMETRY_TRIANGLES) {
+        ray.t_max = hit.t;
         if (!intersect_triangle(ray, leaf.a, leaf.b, leaf.c, t, u, v, normal)) return false;
         uint material = triangles[leaf.primitive].material;
         if (FEATURE(FEATURE_CULL) && is_culled(material, normal, ray.direction)) return false;
@@ -73,12 +95,17 @@ bool hit_leaf(uint place, Ray ray, uint ray_kind, inout Hit hit) {
     } else if (kind == GEOMETRY_SOLID) {
         SolidHit found;
         if (!intersect_solid(leaf.primitive, ray, found)) return false;
-        hit = Hit(found.t, found.u, found.v, leaf.geometry, found.material, found.normal);
+        if (!comes_before(hit, ray, found.t, found.normal, leaf.geometry, 0u)) return false;
+        hit = Hit(min(found.t, hit.t), found.u, found.v, leaf.geometry, found.material, found.normal);
         return true;
 #endif
     } else {
         if (!intersect_box(ray, leaf.a, leaf.b, t, normal)) return false;
         if (FEATURE(FEATURE_CULL) && is_culled(boxes[leaf.primitive].material, normal, ray.direction)) return false;
+    }
+    if (kind != GEOMETRY_TRIANGLES) {
+        if (!comes_before(hit, ray, t, normal, leaf.geometry, leaf.primitive)) return false;
+        t = min(t, hit.t);
     }
     hit = Hit(t, u, v, leaf.geometry, leaf.primitive, normal);
     return true;
@@ -132,7 +159,7 @@ Hit trace(Ray world_ray, uint ray_kind, bool any_will_do) {
         WideNode node = nodes[group.child_base + bitCount((group.masks >> 8u) & ((1u << slot) - 1u))];
         uint inner_hits;
         uint primitive_hits;
-        node_hits(node, box, ray.t_min, hit.t, inner_hits, primitive_hits);
+        node_hits(node, box, ray.t_min, reach_of(hit), inner_hits, primitive_hits);
         if ((group.masks & GROUP_CHILDREN) != 0u) {
             stack[waiting] = group;
             ++waiting;
@@ -152,7 +179,7 @@ Hit trace(Ray world_ray, uint ray_kind, bool any_will_do) {
             while (primitive_hits != 0u) {
                 uint place = node.primitive_base + uint(findLSB(primitive_hits));
                 primitive_hits &= primitive_hits - 1u;
-                ray.t_max = hit.t;
+                ray.t_max = reach_of(hit);
                 if (hit_leaf(place, ray, ray_kind, hit) && any_will_do) return hit;
             }
         }
