@@ -160,6 +160,31 @@ private:
     FunctionEvaluator evaluator_;
 };
 
+class FractalField final : public HostField {
+public:
+    explicit FractalField(const scene::FractalForm& form) : form_(form) {}
+    [[nodiscard]] Vec3d at(const FieldPoint& point) const override {
+        return {fractal_value(form_, point.position.x, point.position.y), 0, 0};
+    }
+    void at_all(std::span<const FieldPoint> points, std::span<Vec3d> answers) const override {
+        constexpr std::size_t kAtOnce = 16;
+        std::array<double, kAtOnce> x, y, values;
+        for (std::size_t first = 0; first < points.size(); first += kAtOnce) {
+            const std::size_t count = std::min(kAtOnce, points.size() - first);
+            for (std::size_t i = 0; i < count; ++i) {
+                const Vec3d p = points[first + i].position;
+                x[i] = p.x, y[i] = p.y;
+            }
+            fractal_values(form_, std::span(x.data(), count), std::span(y.data(), count),
+                           std::span(values.data(), count));
+            for (std::size_t i = 0; i < count; ++i) answers[first + i] = {values[i], 0, 0};
+        }
+    }
+
+private:
+    scene::FractalForm form_;
+};
+
 /// Which texture of a list a picture chooses.
 class MaterialField {
 public:
@@ -204,9 +229,7 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
         case Kind::density_file:
             return field(DensityField(pattern.density, pattern.interpolation));
         case Kind::fractal:
-            return field([form = pattern.fractal](const FieldPoint& point) {
-                return fractal_value(form, point.position.x, point.position.y);
-            });
+            return std::make_unique<FractalField>(pattern.fractal);
         case Kind::function:
             if (pattern.function) return std::make_unique<FunctionField>(pattern.function, textures);
             break;

@@ -32,6 +32,32 @@ void expect_near(Vec3d a, Vec3d b) {
     EXPECT_NEAR(a.z, b.z, 1e-4);
 }
 
+// Points asked side by side have the values of each alone, and what is known to stay is what stays. Catches an orbit
+// that goes on where its neighbour's has ended, and parts of the set that are taken for too large.
+TEST(HostFields, FractalsAreTheSameSideBySide) {
+    for (const bool is_magnet : {false, true}) {
+        FractalForm form;
+        form.formula = is_magnet ? FractalForm::Formula::magnet1 : FractalForm::Formula::power;
+        form.iterations = 60;
+        FractalForm smallest = form;  // of this the whole orbit is looked at
+        smallest.interior_type = 1;
+        std::vector<double> x, y;
+        for (int i = 0; i < 2000; ++i) x.push_back(-2.2 + 0.0017 * i), y.push_back(1.3 * std::sin(0.7 * i));
+        for (const FractalForm& f : {form, smallest}) {
+            std::vector<double> values(x.size());
+            fractal_values(f, x, y, values);
+            for (std::size_t i = 0; i < x.size(); ++i)
+                EXPECT_EQ(values[i], fractal_value(f, x[i], y[i])) << x[i] << ' ' << y[i];
+        }
+        std::vector<double> known(x.size()), followed(x.size());
+        fractal_values(form, x, y, known);
+        form.interior_type = 4, form.interior_factor = 0;  // looks at all of the orbit, too
+        fractal_values(form, x, y, followed);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            EXPECT_EQ(known[i] == 1, followed[i] == 0 && known[i] != 0) << x[i] << ' ' << y[i];
+    }
+}
+
 // Values that povray 3.7 prints. Catches iterations counted from one too many, orbits that begin at 0, wrong bailouts.
 TEST(HostFields, FractalsAreThoseOfPovray) {
     FractalForm mandel;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solids/four_lanes.h"
+#include "base/four_lanes.h"
 #include "solids/four_numbers.h"
 #include "solids/shape.h"
 

@@ -6,12 +6,17 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace sundog::solids {
+namespace sundog {
 
 /// True or false for each of four numbers.
 struct FourTruths {
     using Pair = std::int64_t __attribute__((vector_size(16)));
     Pair low, high;
+
+    [[nodiscard]] bool operator[](std::size_t i) const { return (i < 2 ? low[i] : high[i - 2]) != 0; }
+    friend FourTruths operator&(const FourTruths& a, const FourTruths& b) { return {a.low & b.low, a.high & b.high}; }
+    friend FourTruths operator|(const FourTruths& a, const FourTruths& b) { return {a.low | b.low, a.high | b.high}; }
+    friend FourTruths operator~(const FourTruths& a) { return {~a.low, ~a.high}; }
 };
 
 struct FourLanes {
@@ -26,6 +31,8 @@ struct FourLanes {
     friend FourLanes operator+(const FourLanes& a, const FourLanes& b) { return {a.low + b.low, a.high + b.high}; }
     friend FourLanes operator-(const FourLanes& a, const FourLanes& b) { return {a.low - b.low, a.high - b.high}; }
     friend FourLanes operator*(const FourLanes& a, const FourLanes& b) { return {a.low * b.low, a.high * b.high}; }
+    friend FourLanes operator/(const FourLanes& a, const FourLanes& b) { return {a.low / b.low, a.high / b.high}; }
+    friend FourTruths operator<(const FourLanes& a, const FourLanes& b) { return {a.low < b.low, a.high < b.high}; }
     friend FourTruths operator<=(const FourLanes& a, const FourLanes& b) { return {a.low <= b.low, a.high <= b.high}; }
 };
 
@@ -36,10 +43,13 @@ inline FourLanes choose(const FourTruths& t, const FourLanes& a, const FourLanes
 inline FourLanes larger(const FourLanes& a, const FourLanes& b) {
     return {a.low > b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
 }
+inline FourLanes lesser(const FourLanes& a, const FourLanes& b) {
+    return {b.low < a.low ? b.low : a.low, b.high < a.high ? b.high : a.high};
+}
 
 // The same for one number.
 inline bool any(bool t) { return t; }
 inline double choose(bool t, double a, double b) { return t ? a : b; }
 inline double larger(double a, double b) { return a > b ? a : b; }
 
-}  // namespace sundog::solids
+}  // namespace sundog
