@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stretches of a packet's rays that lie inside parts of a solid. Formulas and their order are those of
+// solids/sphere.cpp, box.cpp, cone.cpp, half_space.cpp and quadric.cpp, so that lanes give the bits of single rays.
+// Only units of one width include it.
+#pragma once
+
+#include "device/cpu/double_lanes.h"
+#include "device/cpu/quick_solid.h"
+
+namespace sundog::kernel {
+inline namespace SUNDOG_KERNEL_SPACE {
+
+using cpu::QuickPart;
+
+inline constexpr double kEndless = __builtin_inf();
+
+/// Half of a packet's rays, and the open ranges in which hits count.
+struct WideRays {
+    wide3 origin, direction;
+    wide lower, upper;
+};
+
+/// Where rays go into a convex shape and out of it, and on which of its faces; endless where they don't.
+struct WideStretch {
+    wide lower, upper, lower_part, upper_part;
+    wide_mask misses;   ///< The ray is nowhere inside.
+    wide_mask unknown;  ///< Lanes that this can't tell of.
+};
+
+FN wide3 uniform3(const double* p) { return {wide(p[0]), wide(p[1]), wide(p[2])}; }
+FN wide3 carried(const Affine3d& m, wide3 v) {
+    return {m.x.x * v.x + m.y.x * v.y + m.z.x * v.z, m.x.y * v.x + m.y.y * v.y + m.z.y * v.z,
+            m.x.z * v.x + m.y.z * v.y + m.z.z * v.z};
+}
+FN wide clamped(wide x, wide lower, wide upper) { return select(x < lower, lower, select(upper < x, upper, x)); }
+
+FN void set_ends(wide lower, wide upper, WideStretch& out) {
+    out.lower = lower;
+    out.upper = upper;
+    out.lower_part = out.upper_part = wide(0.0);
+    out.misses = out.unknown = mask_of(0);
+}
+
+FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+    const wide3 center = uniform3(p);
+    const wide radius(p[3]);
+    const wide a = dot(d, d);
+    const wide middle = dot(center - o, d) / a;
+    const wide3 offset = o + d * middle - center;
+    const wide discriminant = radius * radius - dot(offset, offset);
+    const wide_mask meets = discriminant > wide(0.0);
+    const wide half = sqrt(select(meets, discriminant, wide(0.0)) / a);
+    set_ends(middle - half, middle + half, out);
+    out.misses = ~meets;
+}
+
+FN void box_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+    set_ends(wide(-kEndless), wide(kEndless), out);
+    const wide zero(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const wide from = axis == 0 ? o.x : axis == 1 ? o.y : o.z;
+        const wide along = axis == 0 ? d.x : axis == 1 ? d.y : d.z;
+        const wide_mask beside = along == zero;
+        const wide_mask between = (from > wide(p[axis])) & (from < wide(p[axis + 3]));
+        out.misses = out.misses | (beside & ~between);
+        const wide t_lower = (wide(p[axis]) - from) / along;
+        const wide t_upper = (wide(p[axis + 3]) - from) / along;
+        const wide_mask forward = along > zero;
+        const wide first = select(forward, t_lower, t_upper);
+        const wide second = select(forward, t_upper, t_lower);
+        const wide_mask later = (first > out.lower) & ~beside;
+        const wide_mask earlier = (second < out.upper) & ~beside;
+        out.lower = select(later, first, out.lower);
+        out.upper = select(earlier, second, out.upper);
+        const wide low_face(2.0 * axis);
+        const wide high_face(2.0 * axis + 1);
+        out.lower_part = select(later, select(forward, low_face, high_face), out.lower_part);
+        out.upper_part = select(earlier, select(forward, high_face, low_face), out.upper_part);
+    }
+    out.misses = out.misses | ~(out.lower < out.upper);
+}
+
+FN void half_space_stretch(const double* p, const wide3& o, const wide3& d, wide start, WideStretch& out) {
+    const wide3 normal = uniform3(p);
+    const wide distance(p[3]);
+    const wide zero(0.0);
+    const wide speed = dot(normal, d);
+    const wide t = (distance - dot(normal, o)) / speed;
+    set_ends(select(speed < zero, t, wide(-kEndless)), select(speed > zero, t, wide(kEndless)), out);
+    out.misses = (speed == zero) & ~(dot(normal, o + d * start) < distance);
+}
+
+/// Of an open cone, a stretch around all that is inside.
+FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+    const wide3 base = uniform3(p);
+    const double height = p[3];
+    const wide3 axis = uniform3(p + 4);
+    const double base_radius = p[7];
+    const double slope = p[8];
+    const wide zero(0.0);
+    const wide end(height);
+    // Between the end planes.
+    const wide z_from = dot(o - base, axis);
+    const wide dz = dot(d, axis);
+    const wide_mask level = dz == zero;
+    const wide_mask up = dz > zero;
+    const wide t_base = (zero - z_from) / dz;
+    const wide t_cap = (end - z_from) / dz;
+    const wide enter = select(level, wide(-kEndless), select(up, t_base, t_cap));
+    const wide leave = select(level, wide(kEndless), select(up, t_cap, t_base));
+    out.misses = level & ~((z_from > zero) & (z_from < end));
+    const wide t_near = clamped(dot(base + axis * wide(height / 2) - o, d) / dot(d, d), enter, leave);
+    const wide3 from_base = o + d * t_near - base;
+    const wide z = dot(from_base, axis);
+    const wide3 off_axis = from_base - axis * z;
+    const wide3 d_off_axis = d - axis * dz;
+    const wide radius = base_radius + slope * z;
+    const wide d_radius = slope * dz;
+    const wide a = dot(d_off_axis, d_off_axis) - d_radius * d_radius;
+    const wide b = dot(off_axis, d_off_axis) - radius * d_radius;
+    const wide c = dot(off_axis, off_axis) - radius * radius;
+    const wide discriminant = b * b - a * c;
+    const wide_mask meets = discriminant > zero;
+    const wide root = sqrt(select(meets, discriminant, zero));
+    const wide q = -(b + select(b < zero, -root, root));
+    const wide s0 = q / a;
+    const wide s1 = select(q == zero, -s0, c / q);
+    const wide first = t_near + min(s0, s1);
+    const wide second = t_near + max(s0, s1);
+    // Where a ray runs steeper than the side, inside is what lies before its first crossing and behind its second; else
+    // it is what lies between them.
+    const wide_mask before = enter < min(first, leave);
+    const wide_mask behind = max(enter, second) < leave;
+    const wide_mask steep = a < zero;
+    const wide_mask at_enter = (steep & (~meets | before | (enter >= second))) | (~steep & (enter >= first));
+    const wide_mask at_leave = (steep & (~meets | behind | (leave <= first))) | (~steep & (leave <= second));
+    out.lower = select(at_enter, enter, select(steep, second, first));
+    out.upper = select(at_leave, leave, select(steep, first, second));
+    out.lower_part = select(at_enter, select(up, wide(1.0), wide(2.0)), zero);
+    out.upper_part = select(at_leave, select(up, wide(2.0), wide(1.0)), zero);
+    // Along the side or the axis: as far as the end planes say.
+    const wide_mask along = a == zero;
+    out.misses = out.misses | (~along & ((~steep & ~meets) | ~(out.lower < out.upper)));
+    out.unknown = along & ~out.misses;
+    out.lower = select(along, enter, out.lower);
+    out.upper = select(along, leave, out.upper);
+}
+
+FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide start, wide stop, WideStretch& out) {
+    const wide3 row_x{wide(p[0]), wide(p[3]), wide(p[4])};
+    const wide3 row_y{wide(p[3]), wide(p[1]), wide(p[5])};
+    const wide3 row_z{wide(p[4]), wide(p[5]), wide(p[2])};
+    const auto squared = [&](wide3 v) { return wide3{dot(row_x, v), dot(row_y, v), dot(row_z, v)}; };
+    const wide3 linear = uniform3(p + 6);
+    const wide zero(0.0);
+    const wide t_near = clamped(-dot(o, d) / dot(d, d), start, stop);
+    const wide3 at = o + d * t_near;
+    const wide3 squared_d = squared(d);
+    const wide a = dot(d, squared_d);
+    const wide b = wide(2.0) * dot(at, squared_d) + dot(linear, d);
+    const wide c = dot(at, squared(at) + linear) + wide(p[9]);
+    const wide discriminant = b * b - wide(4.0) * a * c;
+    const wide_mask meets = discriminant > zero;
+    const wide root = sqrt(select(meets, discriminant, zero));
+    const wide q = wide(-0.5) * (b + select(b < zero, -root, root));
+    const wide s0 = q / a;
+    const wide s1 = select(q == zero, -s0, c / q);
+    set_ends(t_near + min(s0, s1), t_near + max(s0, s1), out);
+    out.unknown = ~(a > zero);
+    out.misses = ~meets & ~out.unknown;
+    out.lower = select(out.unknown, wide(-kEndless), out.lower);
+    out.upper = select(out.unknown, wide(kEndless), out.upper);
+}
+
+/// A stretch around all of a torus: between the planes that it touches, in the cylinder around it, and not all of the
+/// way in its hole.
+FN void torus_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+    const double outer = p[0] + p[1];
+    const double hole = p[0] - p[1];
+    const double room = 1e-6 * outer;
+    const wide zero(0.0);
+    const wide reach(p[1] + room);
+    const wide_mask level = d.y == zero;
+    const wide t_a = (-reach - o.y) / d.y;
+    const wide t_b = (reach - o.y) / d.y;
+    wide lower = select(level, wide(-kEndless), min(t_a, t_b));
+    wide upper = select(level, wide(kEndless), max(t_a, t_b));
+    out.misses = level & ~(abs(o.y) < reach);
+    // Around the axis, from the point that is nearest to it.
+    const wide a = d.x * d.x + d.z * d.z;
+    const wide_mask upright = a == zero;
+    const wide middle = select(upright, zero, -(o.x * d.x + o.z * d.z) / a);
+    const wide x = o.x + d.x * middle;
+    const wide z = o.z + d.z * middle;
+    const wide discriminant = wide((outer + room) * (outer + room)) - (x * x + z * z);
+    out.misses = out.misses | ~(discriminant > zero);
+    const wide half = sqrt(max(discriminant, zero) / a);
+    lower = select(upright, lower, max(lower, middle - half));
+    upper = select(upright, upper, min(upper, middle + half));
+    if (hole > room) {
+        const auto in_hole = [&](wide t) {
+            const wide x_t = o.x + d.x * t;
+            const wide z_t = o.z + d.z * t;
+            return x_t * x_t + z_t * z_t < wide((hole - room) * (hole - room));
+        };
+        out.misses = out.misses | (in_hole(lower) & in_hole(upper));
+    }
+    out.lower = lower;
+    out.upper = upper;
+    out.lower_part = out.upper_part = zero;
+    out.unknown = mask_of(0);
+}
+
+FN void part_stretch(const QuickPart& part, const WideRays& rays, WideStretch& out) {
+    const Affine3d& m = part.shape_from_world;
+    const wide3 o = carried(m, rays.origin) + wide3{wide(m.t.x), wide(m.t.y), wide(m.t.z)};
+    const wide3 d = carried(m, rays.direction);
+    const double* p = part.numbers.data();
+    switch (part.kind) {
+        case QuickPart::Kind::sphere:
+            return sphere_stretch(p, o, d, out);
+        case QuickPart::Kind::box:
+            return box_stretch(p, o, d, out);
+        case QuickPart::Kind::half_space:
+            return half_space_stretch(p, o, d, rays.lower, out);
+        case QuickPart::Kind::cone:
+            return cone_stretch(p, o, d, out);
+        case QuickPart::Kind::quadric:
+            return quadric_stretch(p, o, d, rays.lower, rays.upper, out);
+        case QuickPart::Kind::torus:
+            return torus_stretch(p, o, d, out);
+        case QuickPart::Kind::anything:
+            set_ends(wide(-kEndless), wide(kEndless), out);
+    }
+}
+
+}  // namespace SUNDOG_KERNEL_SPACE
+}  // namespace sundog::kernel
