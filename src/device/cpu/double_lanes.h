@@ -100,5 +100,23 @@ FN wide half_of(const float& first, int half) {
     return wide(__builtin_convertvector(v, vdouble));
 }
 
+FN void store_half(wide x, float* first, int half) {
+    const vhalf v = __builtin_convertvector(x.v, vhalf);
+    __builtin_memcpy(first + half * kWideLanes, &v, sizeof v);
+}
+/// To single precision and back.
+FN wide rounded(wide x) { return wide(__builtin_convertvector(__builtin_convertvector(x.v, vhalf), vdouble)); }
+
+/// A packet's lanes whose bits are set.
+FN mask lanes_of_bits(unsigned bits) {
+#if SUNDOG_KERNEL_LANES == 16
+    return mask(static_cast<__mmask16>(bits));
+#else
+    vint m{};
+    for (int lane = 0; lane < kLanes; ++lane) m[lane] = (bits >> lane & 1U) != 0 ? -1 : 0;
+    return mask(m);
+#endif
+}
+
 }  // namespace SUNDOG_KERNEL_SPACE
 }  // namespace sundog::kernel
