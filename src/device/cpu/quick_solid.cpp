@@ -22,7 +22,7 @@ Kind kind_of(const solids::Shape& shape, solids::ShapeNumbers::Kind kind) {
         case Numbers::cone:
             return Kind::cone;
         case Numbers::quadric:
-            return shape.is_convex() ? Kind::quadric : Kind::anything;
+            return Kind::quadric;
         case Numbers::torus:
             return Kind::torus;
         default:
@@ -45,9 +45,11 @@ QuickPart part_of(const CompiledSolid& solid, std::uint32_t index) {
     part.kind = kind_of(*leaf.shape, numbers.kind);
     if (part.kind != Kind::anything) {
         std::copy_n(numbers.values.begin(), std::min(numbers.values.size(), part.numbers.size()), part.numbers.begin());
+        part.exact = part.kind != Kind::torus;
+        part.ends_show = part.kind != Kind::cone || leaf.shape->is_convex();
         return part;
     }
-    const Bounds3d box = leaf.shape->bounds({});
+    const Bounds3d box = solids::joined(leaf.shape->bounds({}), leaf.shape->inside_bounds({}));
     if (box.empty() || !solids::is_finite(box)) return part;
     part.kind = Kind::box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -58,18 +60,21 @@ QuickPart part_of(const CompiledSolid& solid, std::uint32_t index) {
     return part;
 }
 
-bool is_exact(const QuickPart& part, const CompiledSolid& solid) {
-    return part.kind != Kind::anything && part.kind != Kind::torus && solid.leaves()[part.leaf].shape->is_convex() &&
-           solid.leaves()[part.leaf].shape->numbers().kind != solids::ShapeNumbers::Kind::none;
+bool is_joined(const CompiledSolid::Node& node) {
+    return node.combination == Combination::combined || node.combination == Combination::merged;
 }
 
 }  // namespace
 
 QuickSolid::QuickSolid(const CompiledSolid& solid) {
-    if (make_exact(solid)) return;
+    complete = make_complete(solid);
+    if (complete) {
+        set_conditions(solid, 0, {});
+        return;
+    }
     parts.clear();
-    nodes.emplace_back();
-    make_node(solid, 0, 0);
+    nodes.assign(1, {});
+    make_stretches(solid, 0, 0);
     // A box along the world's axes tells no more than Embree's.
     const bool nothing = nodes[0].kind == QuickNode::Kind::anything ||
                          (nodes[0].kind == QuickNode::Kind::part && parts[nodes[0].first].kind == Kind::box &&
@@ -77,52 +82,73 @@ QuickSolid::QuickSolid(const CompiledSolid& solid) {
     if (nothing) nodes.clear();
 }
 
-bool QuickSolid::make_exact(const CompiledSolid& solid) {
-    const CompiledSolid::Node& root = solid.nodes()[0];
-    if (root.inverted || root.gate != CompiledSolid::kNoGate) return false;
-    const bool leaf = root.combination == Combination::leaf;
-    if (!leaf && !root.convex_parts && !root.convex_clips) return false;
-    if (!leaf && root.count > kMaxExactParts) return false;
-    bool keeps = false;
-    for (std::uint32_t i = 0; i < (leaf ? 1 : root.count); ++i) {
-        const CompiledSolid::Node& node = leaf ? root : solid.nodes()[root.first + i];
-        if (node.combination != Combination::leaf || node.gate != CompiledSolid::kNoGate) return false;
-        if (node.inverted && root.convex_clips) return false;
-        QuickPart part = part_of(solid, node.first);
-        if (!is_exact(part, solid)) return false;
-        part.role = node.inverted                ? QuickPart::Role::cut
-                    : root.convex_clips && i > 0 ? QuickPart::Role::clip
-                                                 : QuickPart::Role::keep;
-        keeps = keeps || !node.inverted;
-        parts.push_back(part);
+/// All of the solid's nodes at their own numbers; false where there are too many, or some that can't be here.
+bool QuickSolid::make_complete(const CompiledSolid& solid) {
+    if (solid.nodes().size() > kMaxQuickNodes || solid.leaves().size() > kMaxQuickParts) return false;
+    bool any_exact = false;
+    for (const CompiledSolid::Node& node : solid.nodes()) {
+        if (node.gate != CompiledSolid::kNoGate) return false;
+        QuickNode out;
+        out.inverted = node.inverted;
+        out.first = node.first;
+        out.count = node.count;
+        out.kind = node.combination == Combination::leaf ? QuickNode::Kind::part
+                   : is_joined(node)                     ? QuickNode::Kind::joined
+                                                         : QuickNode::Kind::common;
+        nodes.push_back(out);
     }
-    exact = keeps;
-    return exact;
+    for (std::uint32_t i = 0; i < solid.leaves().size(); ++i) {
+        parts.push_back(part_of(solid, i));
+        any_exact = any_exact || parts.back().exact;
+    }
+    return any_exact;
 }
 
-/// Makes node `to` of what solid.nodes()[from] is.
-void QuickSolid::make_node(const CompiledSolid& solid, std::size_t from, std::size_t to) {
+/// Tells the parts at and below a node when they are seen; `above` has what the nodes above say of that.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as kMaxQuickNodes
+void QuickSolid::set_conditions(const CompiledSolid& solid, std::size_t index, QuickPart above) {
+    const CompiledSolid::Node& node = solid.nodes()[index];
+    above.flips = above.flips != node.inverted;
+    if (node.combination == Combination::leaf) {
+        parts[node.first].flips = above.flips;
+        parts[node.first].shows = above.shows;
+        parts[node.first].conditions = std::move(above.conditions);
+        return;
+    }
+    for (std::uint32_t child = 0; child < node.count; ++child) {
+        QuickPart below = above;
+        below.shows = above.shows && (node.combination != Combination::clipped || child == 0);
+        for (std::uint32_t other = 0; other < node.count; ++other)
+            if (other != child && node.combination != Combination::combined)
+                below.conditions.push_back({node.first + other, node.combination != Combination::merged});
+        set_conditions(solid, node.first + child, std::move(below));
+    }
+}
+
+/// Makes node `to` of what is known of where solid.nodes()[from] is.
+// NOLINTNEXTLINE(misc-no-recursion): as deep as kMaxQuickNodes
+void QuickSolid::make_stretches(const CompiledSolid& solid, std::size_t from, std::size_t to) {
     const CompiledSolid::Node& node = solid.nodes()[from];
     if (node.inverted) return;
     if (node.combination == Combination::leaf) {
         const QuickPart part = part_of(solid, node.first);
-        if (part.kind == Kind::anything) return;
+        if (part.kind == Kind::anything || parts.size() == kMaxQuickParts) return;
         nodes[to].kind = QuickNode::Kind::part;
         nodes[to].first = static_cast<std::uint32_t>(parts.size());
         parts.push_back(part);
         return;
     }
-    const bool joined = node.combination == Combination::combined || node.combination == Combination::merged;
+    const bool joined = is_joined(node);
     std::vector<std::uint32_t> children;
     for (std::uint32_t i = 0; i < node.count; ++i)
         if (joined || !solid.nodes()[node.first + i].inverted) children.push_back(node.first + i);
     if (nodes.size() + children.size() > kMaxQuickNodes) return;
     const std::size_t first = nodes.size();
     nodes.resize(first + children.size());
-    for (std::size_t i = 0; i < children.size(); ++i) make_node(solid, children[i], first + i);
-    const auto knows = [&](std::size_t i) { return nodes[first + i].kind != QuickNode::Kind::anything; };
+    for (std::size_t i = 0; i < children.size(); ++i) make_stretches(solid, children[i], first + i);
     std::size_t known = 0;
-    for (std::size_t i = 0; i < children.size(); ++i) known += knows(i) ? 1 : 0;
+    for (std::size_t i = 0; i < children.size(); ++i)
+        known += nodes[first + i].kind != QuickNode::Kind::anything ? 1 : 0;
     if (known == 0 || (joined && known < children.size())) return;
     nodes[to].kind = joined ? QuickNode::Kind::joined : QuickNode::Kind::common;
     nodes[to].first = static_cast<std::uint32_t>(first);

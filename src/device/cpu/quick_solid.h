@@ -11,51 +11,54 @@
 
 namespace sundog::cpu {
 
-/// Solids of more nodes are asked ray by ray.
-inline constexpr std::size_t kMaxQuickNodes = 24;
-/// So many convex parts, and no more, are put together exactly.
-inline constexpr std::size_t kMaxExactParts = 8;
+/// Solids of more shapes or nodes are not put together for a packet.
+inline constexpr std::size_t kMaxQuickParts = 16, kMaxQuickNodes = 40;
+
+/// What must be so where a part's surface is to be seen.
+struct QuickCondition {
+    std::uint32_t node = 0;
+    bool inside = false;  ///< Inside of that node, or outside.
+};
 
 /// A shape in its own space, as numbers (solids/shape_numbers.h).
 struct QuickPart {
     enum class Kind : std::uint8_t { sphere, box, half_space, cone, quadric, torus, anything };
-    /// How a part counts where the solid is put together exactly.
-    enum class Role : std::uint8_t {
-        keep,  ///< What is there is inside of this one; its surface shows.
-        cut,   ///< Outside; its surface shows.
-        clip,  ///< Inside; its surface doesn't show.
-    };
     Kind kind = Kind::anything;
-    Role role = Role::keep;
+    bool exact = false;      ///< Else the stretch found on a ray is one around the shape's.
+    bool ends_show = true;   ///< Of a cone, its end discs.
+    bool shows = true;       ///< Some of its surface may be seen: it doesn't only clip.
+    bool flips = false;      ///< What is outside of it is inside of what its surface is seen as.
     std::uint32_t leaf = 0;  ///< Into CompiledSolid::leaves().
+    std::vector<QuickCondition> conditions;
     Affine3d shape_from_world;
     std::array<double, 12> numbers{};
 };
 
-/// A node of which a stretch of each ray is known, off which it neither shows nor is inside.
 struct QuickNode {
     enum class Kind : std::uint8_t {
         part,    ///< `first` is into the parts.
-        common,  ///< The stretch that all children have in common.
-        joined,  ///< A stretch around all children's.
+        common,  ///< Inside all children.
+        joined,  ///< Inside any.
         anything,
     };
     Kind kind = Kind::anything;
+    bool inverted = false;
     std::uint32_t first = 0;  ///< Of `count` children, neighbours.
     std::uint32_t count = 0;
 };
 
 struct QuickSolid {
     std::vector<QuickPart> parts;
-    std::vector<QuickNode> nodes;  ///< The root is first; empty where `exact`, or where nothing is known.
-    bool exact = false;            ///< The solid is its parts by their roles, all of them convex.
+    std::vector<QuickNode> nodes;  ///< The root is first; empty where nothing is known.
+    bool complete = false;  ///< All of the solid is here; else what lies off the nodes' stretches is known alone.
 
     explicit QuickSolid(const solids::CompiledSolid& solid);
-    [[nodiscard]] bool useful() const { return exact || !nodes.empty(); }
+    [[nodiscard]] bool useful() const { return !nodes.empty(); }
 
 private:
-    bool make_exact(const solids::CompiledSolid& solid);
-    void make_node(const solids::CompiledSolid& solid, std::size_t from, std::size_t to);
+    bool make_complete(const solids::CompiledSolid& solid);
+    void set_conditions(const solids::CompiledSolid& solid, std::size_t index, QuickPart above);
+    void make_stretches(const solids::CompiledSolid& solid, std::size_t from, std::size_t to);
 };
 
 }  // namespace sundog::cpu

@@ -20,10 +20,11 @@ struct WideRays {
     wide lower, upper;
 };
 
-/// Where rays go into a convex shape and out of it, and on which of its faces; endless where they don't.
+/// Where rays go into a shape and out of it, and on which of its faces; endless where they don't.
 struct WideStretch {
     wide lower, upper, lower_part, upper_part;
     wide_mask misses;   ///< The ray is nowhere inside.
+    wide_mask outer;    ///< The ray is inside before `lower` and behind `upper` instead.
     wide_mask unknown;  ///< Lanes that this can't tell of.
 };
 
@@ -38,7 +39,7 @@ FN void set_ends(wide lower, wide upper, WideStretch& out) {
     out.lower = lower;
     out.upper = upper;
     out.lower_part = out.upper_part = wide(0.0);
-    out.misses = out.unknown = mask_of(0);
+    out.misses = out.outer = out.unknown = mask_of(0);
 }
 
 FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
@@ -90,7 +91,6 @@ FN void half_space_stretch(const double* p, const wide3& o, const wide3& d, wide
     out.misses = (speed == zero) & ~(dot(normal, o + d * start) < distance);
 }
 
-/// Of an open cone, a stretch around all that is inside.
 FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
     const wide3 base = uniform3(p);
     const double height = p[3];
@@ -142,6 +142,9 @@ FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretc
     const wide_mask along = a == zero;
     out.misses = out.misses | (~along & ((~steep & ~meets) | ~(out.lower < out.upper)));
     out.unknown = along & ~out.misses;
+    // The two parts of what is inside touch in the apex, where open cones have an end that isn't seen.
+    if (p[9] != 0) out.unknown = out.unknown | (steep & meets & before & behind);
+    out.outer = mask_of(0);
     out.lower = select(along, enter, out.lower);
     out.upper = select(along, leave, out.upper);
 }
@@ -166,10 +169,13 @@ FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide st
     const wide s0 = q / a;
     const wide s1 = select(q == zero, -s0, c / q);
     set_ends(t_near + min(s0, s1), t_near + max(s0, s1), out);
-    out.unknown = ~(a > zero);
-    out.misses = ~meets & ~out.unknown;
-    out.lower = select(out.unknown, wide(-kEndless), out.lower);
-    out.upper = select(out.unknown, wide(kEndless), out.upper);
+    out.unknown = a == zero;
+    out.outer = a < zero;
+    const wide_mask everywhere = out.unknown | (out.outer & ~meets);
+    out.outer = out.outer & meets;
+    out.misses = ~meets & ~everywhere;
+    out.lower = select(everywhere, wide(-kEndless), out.lower);
+    out.upper = select(everywhere, wide(kEndless), out.upper);
 }
 
 /// A stretch around all of a torus: between the planes that it touches, in the cylinder around it, and not all of the
@@ -208,10 +214,10 @@ FN void torus_stretch(const double* p, const wide3& o, const wide3& d, WideStret
     out.lower = lower;
     out.upper = upper;
     out.lower_part = out.upper_part = zero;
-    out.unknown = mask_of(0);
+    out.unknown = out.outer = mask_of(0);
 }
 
-FN void part_stretch(const QuickPart& part, const WideRays& rays, WideStretch& out) {
+FN void shape_stretch(const QuickPart& part, const WideRays& rays, WideStretch& out) {
     const Affine3d& m = part.shape_from_world;
     const wide3 o = carried(m, rays.origin) + wide3{wide(m.t.x), wide(m.t.y), wide(m.t.z)};
     const wide3 d = carried(m, rays.direction);
@@ -232,6 +238,15 @@ FN void part_stretch(const QuickPart& part, const WideRays& rays, WideStretch& o
         case QuickPart::Kind::anything:
             set_ends(wide(-kEndless), wide(kEndless), out);
     }
+}
+
+/// The stretches of rays that are inside a part; of one that isn't exact, `unknown` where it may be in the rays'
+/// ranges.
+inline void part_stretch(const QuickPart& part, const WideRays& rays, WideStretch& out) {
+    shape_stretch(part, rays, out);
+    if (part.exact) return;
+    out.misses = out.misses | ~(max(out.lower, rays.lower) <= min(out.upper, rays.upper));
+    out.unknown = ~out.misses;
 }
 
 }  // namespace SUNDOG_KERNEL_SPACE

@@ -89,12 +89,12 @@ void enter_quick_hits(const RTCIntersectFunctionNArguments* args, unsigned lanes
         const auto lane = static_cast<unsigned>(std::countr_zero(left));
         const auto place = static_cast<std::uint32_t>(hits.place[lane]);
         const QuickPart& part = data.quick->parts[place / 2];
-        const bool cuts = part.role == QuickPart::Role::cut;
         solids::Crossing crossing{hits.t[lane]};
         crossing.part = static_cast<std::uint32_t>(hits.face[lane]);
         const bool enters_part = place % 2 == 0;
         enter(args, lane,
-              data.solid->hit_on(ray_of(rays, args->N, lane), part.leaf, crossing, enters_part != cuts, cuts));
+              data.solid->hit_on(ray_of(rays, args->N, lane), part.leaf, crossing, enters_part != part.flips,
+                                 part.flips));
     }
 }
 

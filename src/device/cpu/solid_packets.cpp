@@ -3,6 +3,7 @@
 // exact solids against all lanes of a packet at once. Most rays that come through a solid's box pass it by, and are
 // told so here; so are the hits of solids that are made of a few convex shapes.
 #include <cstring>
+#include <utility>
 
 #include "device/accel/primitive_facts.h"
 #include "device/cpu/embree.h"
@@ -15,13 +16,12 @@ namespace sundog::cpu {
 namespace {
 
 using namespace kernel;
-using Role = QuickPart::Role;
 
 /// Places so near to each other, relative to the distances in question, are compared by CompiledSolid, which takes
 /// what is twenty times nearer for one place.
 constexpr double kNear = 2e-9;
-
-wide near_at(wide t, wide distance) { return wide(kNear) * (abs(t) + distance); }
+/// Half of a packet's lanes.
+constexpr unsigned kHalf = (1U << kWideLanes) - 1U;
 
 WideRays rays_of(RTCRayN* rays, int half, float reach) {
     constexpr unsigned n = kLanes;
@@ -67,121 +67,167 @@ Told one_part(const QuickPart& part, const WideRays& rays, wide_mask asking) {
     return told;
 }
 
-Told several_parts(const QuickSolid& solid, const WideRays& rays, wide_mask asking) {
-    std::array<WideStretch, kMaxExactParts> all;
-    const std::size_t count = solid.parts.size();
-    const wide distance = sqrt(dot(rays.origin, rays.origin) / dot(rays.direction, rays.direction));
-    Told told;
-    wide_mask alive = asking;
-    wide_mask unknown = mask_of(0);
-    wide lower = rays.lower;
-    wide upper = rays.upper;
-    for (std::size_t i = 0; i < count; ++i) {
-        WideStretch& s = all[i];
-        part_stretch(solid.parts[i], rays, s);
-        unknown = unknown | s.unknown;
-        if (solid.parts[i].role == Role::cut) continue;
-        lower = max(lower, s.lower);
-        upper = min(upper, s.upper);
-        alive = alive & ~(s.misses & ~s.unknown) & ~(lower > upper + near_at(upper, distance));
-        if (!any_lane(alive)) return told;
+/// A solid on half of a packet's rays.
+class Asked {
+public:
+    Asked(const QuickSolid& solid, const WideRays& rays)
+        : solid_(solid),
+          rays_(rays),
+          distance_(sqrt(dot(rays.origin, rays.origin) / dot(rays.direction, rays.direction))) {}
+
+    Told tell(wide_mask asking) {
+        const Hull hull = hull_of(0);
+        // Endless ends differ by nothing that is a number.
+        const wide_mask gone = (hull.lower > hull.upper + near_at(hull.upper)) |
+                               ((hull.lower == wide(kEndless)) & (hull.upper == wide(-kEndless)));
+        Told told;
+        wide_mask alive = asking & ~gone;
+        if (!solid_.complete || !any_lane(alive)) {
+            told.unsure = bits_of(alive);
+            return told;
+        }
+        wide_mask unknown = mask_of(0);
+        for (std::size_t i = 0; i < solid_.parts.size(); ++i) unknown = unknown | stretch(i).unknown;
+        unknown = unknown & alive;
+        alive = alive & ~unknown;
+        if (any_lane(alive)) find_first(alive, told);
+        told.unsure |= bits_of(unknown);
+        return told;
     }
-    wide best(kEndless);
-    wide first_unsure(kEndless);
-    told.place = told.face = wide(0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (solid.parts[i].role == Role::clip) continue;
-        const bool cuts = solid.parts[i].role == Role::cut;
-        for (int end = 0; end < 2; ++end) {
-            const WideStretch& own = all[i];
-            const wide t = end == 0 ? own.lower : own.upper;
-            wide_mask shows = alive & (t > rays.lower) & (t < rays.upper);
-            if (cuts) shows = shows & ~own.misses;
-            const wide near = near_at(t, distance);
-            wide_mask sure = own.upper - own.lower > near;
-            for (std::size_t k = 0; k < count && any_lane(shows); ++k) {
-                if (k == i) continue;
-                const WideStretch& other = all[k];
-                const wide_mask well_inside = (t > other.lower + near) & (t < other.upper - near);
-                const wide_mask well_outside = (t < other.lower - near) | (t > other.upper + near);
-                if (solid.parts[k].role == Role::cut) {
-                    shows = shows & ~(well_inside & ~other.misses);
-                    sure = sure & (well_outside | other.misses);
-                } else {
-                    shows = shows & ~well_outside;
-                    sure = sure & well_inside;
-                }
+
+private:
+    /// A stretch of each ray, of which nothing is known but that the node isn't there beside it; from infinity to its
+    /// negative where the node is nowhere.
+    struct Hull {
+        wide lower, upper;
+    };
+    /// Where the ray is inside or outside of a node beyond doubt.
+    struct State {
+        wide_mask inside, outside;
+    };
+
+    [[nodiscard]] wide near_at(wide t) const { return wide(kNear) * (abs(t) + distance_); }
+
+    const WideStretch& stretch(std::size_t part) {
+        if ((known_ >> part & 1U) == 0) {
+            part_stretch(solid_.parts[part], rays_, stretches_[part]);
+            known_ |= 1U << part;
+        }
+        return stretches_[part];
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
+    Hull hull_of(std::size_t index) {
+        const QuickNode& node = solid_.nodes[index];
+        Hull out{rays_.lower, rays_.upper};
+        if (node.inverted || node.kind == QuickNode::Kind::anything) return out;
+        if (node.kind == QuickNode::Kind::part) {
+            const WideStretch& s = stretch(node.first);
+            const bool exact = solid_.parts[node.first].exact;
+            const wide_mask anywhere = exact ? s.unknown | s.outer : s.outer;
+            out.lower = select(anywhere, rays_.lower, select(s.misses, wide(kEndless), max(rays_.lower, s.lower)));
+            out.upper = select(anywhere, rays_.upper, select(s.misses, wide(-kEndless), min(rays_.upper, s.upper)));
+            return out;
+        }
+        const bool joined = node.kind == QuickNode::Kind::joined;
+        if (joined) out = {wide(kEndless), wide(-kEndless)};
+        for (std::size_t i = node.first; i < node.first + node.count; ++i) {
+            if (!joined && solid_.nodes[i].inverted) continue;
+            const Hull child = hull_of(i);
+            if (!joined) {
+                out = {max(out.lower, child.lower), min(out.upper, child.upper)};
+                if (!any_lane(out.lower <= out.upper + near_at(out.upper))) return out;
+            } else {
+                const wide_mask there = child.lower <= child.upper + near_at(child.upper);
+                out.lower = select(there, min(out.lower, child.lower), out.lower);
+                out.upper = select(there, max(out.upper, child.upper), out.upper);
             }
-            const wide_mask nearer = shows & sure & (t < best);
-            best = select(nearer, t, best);
-            told.place = select(nearer, wide(2.0 * static_cast<double>(i) + end), told.place);
-            told.face = select(nearer, end == 0 ? own.lower_part : own.upper_part, told.face);
-            first_unsure = select(shows & ~sure & (t < first_unsure), t, first_unsure);
         }
+        return out;
     }
-    told.t = best;
-    const wide_mask unsure =
-        alive &
-        (unknown | ((first_unsure < wide(kEndless)) & ~(best < first_unsure - near_at(first_unsure, distance))));
-    told.unsure = bits_of(unsure);
-    told.met = bits_of(alive & ~unsure & (best < wide(kEndless)));
-    return told;
-}
 
-/// A stretch of each ray, of which nothing is known off `lower` to `upper` but that the node isn't there.
-struct WideHull {
-    wide lower, upper;
-};
-
-// NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
-void hull_of(const QuickSolid& solid, std::size_t index, const WideRays& rays, wide distance, WideHull& out) {
-    const QuickNode& node = solid.nodes[index];
-    out = {rays.lower, rays.upper};
-    if (node.kind == QuickNode::Kind::anything) return;
-    if (node.kind == QuickNode::Kind::part) {
-        WideStretch s;
-        part_stretch(solid.parts[node.first], rays, s);
-        out.lower = select(s.unknown, rays.lower, select(s.misses, wide(kEndless), max(rays.lower, s.lower)));
-        out.upper = select(s.unknown, rays.upper, select(s.misses, wide(-kEndless), min(rays.upper, s.upper)));
-        return;
-    }
-    const bool joined = node.kind == QuickNode::Kind::joined;
-    if (joined) out = {wide(kEndless), wide(-kEndless)};
-    for (std::size_t i = node.first; i < node.first + node.count; ++i) {
-        WideHull child;
-        hull_of(solid, i, rays, distance, child);
-        if (!joined) {
-            out = {max(out.lower, child.lower), min(out.upper, child.upper)};
-            if (!any_lane(out.lower <= out.upper + near_at(out.upper, distance))) return;
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
+    State state_at(std::size_t index, const wide& t, const wide& near) {
+        const QuickNode& node = solid_.nodes[index];
+        State out;
+        if (node.kind == QuickNode::Kind::part) {
+            const WideStretch& s = stretch(node.first);
+            const wide_mask between = (t > s.lower + near) & (t < s.upper - near);
+            const wide_mask beside = (t < s.lower - near) | (t > s.upper + near);
+            out.inside = ((between & ~s.outer) | (beside & s.outer)) & ~s.misses;
+            out.outside = (beside & ~s.outer) | (between & s.outer) | s.misses;
         } else {
-            const wide_mask there = child.lower <= child.upper + near_at(child.upper, distance);
-            out.lower = select(there, min(out.lower, child.lower), out.lower);
-            out.upper = select(there, max(out.upper, child.upper), out.upper);
+            const bool joined = node.kind == QuickNode::Kind::joined;
+            out = {mask_of(joined ? 0 : kHalf), mask_of(joined ? kHalf : 0)};
+            for (std::size_t i = node.first; i < node.first + node.count; ++i) {
+                const State child = state_at(i, t, near);
+                out.inside = joined ? out.inside | child.inside : out.inside & child.inside;
+                out.outside = joined ? out.outside & child.outside : out.outside | child.outside;
+            }
         }
+        if (node.inverted) std::swap(out.inside, out.outside);
+        return out;
     }
-}
 
-Told only_misses(const QuickSolid& solid, const WideRays& rays, wide_mask asking) {
-    const wide distance = sqrt(dot(rays.origin, rays.origin) / dot(rays.direction, rays.direction));
-    WideHull hull;
-    hull_of(solid, 0, rays, distance, hull);
-    Told told;
-    // Endless ends differ by nothing that is a number.
-    const wide_mask gone = (hull.lower > hull.upper + near_at(hull.upper, distance)) |
-                           ((hull.lower == wide(kEndless)) & (hull.upper == wide(-kEndless)));
-    told.unsure = bits_of(asking & ~gone);
-    return told;
-}
+    /// The first end of a part's stretch at which the nodes beside it let it be seen. Where one is near to another's,
+    /// the lane is unsure.
+    void find_first(wide_mask alive, Told& told) {
+        wide best(kEndless);
+        wide first_unsure(kEndless);
+        wide_mask shared = mask_of(0);  // another one is at the best one's place
+        told.place = told.face = wide(0.0);
+        for (std::size_t i = 0; i < solid_.parts.size(); ++i) {
+            const QuickPart& part = solid_.parts[i];
+            if (!part.shows) continue;
+            const WideStretch& own = stretch(i);
+            const wide_mask there = alive & ~own.misses;
+            if (!any_lane(there)) continue;
+            for (int end = 0; end < 2; ++end) {
+                const wide& t = end == 0 ? own.lower : own.upper;
+                const wide& face = end == 0 ? own.lower_part : own.upper_part;
+                wide_mask shows = there & (t > rays_.lower) & (t < rays_.upper);
+                if (!part.ends_show) shows = shows & (face == wide(0.0));
+                const wide near = near_at(t);
+                wide_mask sure = own.upper - own.lower > near;
+                for (const QuickCondition& condition : part.conditions) {
+                    if (!any_lane(shows)) break;
+                    const State state = state_at(condition.node, t, near);
+                    shows = shows & ~(condition.inside ? state.outside : state.inside);
+                    sure = sure & (condition.inside ? state.inside : state.outside);
+                }
+                if (!any_lane(shows)) continue;
+                first_unsure = select(shows & ~sure & (t < first_unsure), t, first_unsure);
+                const wide_mask nearer = shows & sure & (t < best);
+                const wide_mask close = shows & sure & (abs(t - best) <= near);
+                shared = (shared & ~(nearer & ~close)) | close;
+                best = select(nearer, t, best);
+                const wide_mask leaves = end == 0 ? own.outer : ~own.outer;
+                const double place = 2.0 * static_cast<double>(i);
+                told.place = select(nearer, select(leaves, wide(place + 1), wide(place)), told.place);
+                told.face = select(nearer, face, told.face);
+            }
+        }
+        told.t = best;
+        const wide_mask none_unsure = first_unsure == wide(kEndless);
+        const wide_mask sure = none_unsure | (best < first_unsure - near_at(first_unsure));
+        told.unsure = bits_of(alive & (~sure | shared));
+        told.met = bits_of(alive & sure & ~shared & (best < wide(kEndless)));
+    }
+
+    const QuickSolid& solid_;
+    const WideRays& rays_;
+    wide distance_;
+    unsigned known_ = 0;  ///< Which stretches have been found.
+    std::array<WideStretch, kMaxQuickParts> stretches_;
+};
 
 Told ask(const QuickSolid& solid, RTCRayN* rays, int half, float reach, unsigned asking) {
     const WideRays wide_rays = rays_of(rays, half, reach);
     const wide_mask lanes = mask_of(asking);
-    if (!solid.exact) return only_misses(solid, wide_rays, lanes);
-    return solid.parts.size() == 1 ? one_part(solid.parts[0], wide_rays, lanes)
-                                   : several_parts(solid, wide_rays, lanes);
+    const bool alone = solid.complete && solid.parts.size() == 1 && solid.parts[0].ends_show &&
+                       solid.parts[0].kind != QuickPart::Kind::quadric;
+    return alone ? one_part(solid.parts[0], wide_rays, lanes) : Asked(solid, wide_rays).tell(lanes);
 }
-
-constexpr unsigned kHalf = (1U << kWideLanes) - 1U;
 
 }  // namespace
 
