@@ -42,6 +42,11 @@ FN void set_ends(wide lower, wide upper, WideStretch& out) {
     out.misses = out.outer = out.unknown = mask_of(0);
 }
 
+FN void set_missed(WideStretch& out) {
+    set_ends(wide(kEndless), wide(-kEndless), out);
+    out.misses = mask_of((1U << kWideLanes) - 1U);
+}
+
 FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
     const wide3 center = uniform3(p);
     const wide radius(p[3]);
@@ -50,6 +55,7 @@ FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, WideStre
     const wide3 offset = o + d * middle - center;
     const wide discriminant = radius * radius - dot(offset, offset);
     const wide_mask meets = discriminant > wide(0.0);
+    if (!any_lane(meets)) return set_missed(out);
     const wide half = sqrt(select(meets, discriminant, wide(0.0)) / a);
     set_ends(middle - half, middle + half, out);
     out.misses = ~meets;
@@ -121,29 +127,39 @@ FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretc
     const wide c = dot(off_axis, off_axis) - radius * radius;
     const wide discriminant = b * b - a * c;
     const wide_mask meets = discriminant > zero;
+    if (!any_lane((meets | (a <= zero)) & ~out.misses)) return set_missed(out);
     const wide root = sqrt(select(meets, discriminant, zero));
     const wide q = -(b + select(b < zero, -root, root));
     const wide s0 = q / a;
     const wide s1 = select(q == zero, -s0, c / q);
     const wide first = t_near + min(s0, s1);
     const wide second = t_near + max(s0, s1);
-    // Where a ray runs steeper than the side, inside is what lies before its first crossing and behind its second; else
-    // it is what lies between them.
-    const wide_mask before = enter < min(first, leave);
-    const wide_mask behind = max(enter, second) < leave;
+    wide_mask at_enter = enter >= first;
+    wide_mask at_leave = leave <= second;
+    out.lower = select(at_enter, enter, first);
+    out.upper = select(at_leave, leave, second);
+    wide_mask beside = ~meets;
+    wide_mask torn = mask_of(0);
     const wide_mask steep = a < zero;
-    const wide_mask at_enter = (steep & (~meets | before | (enter >= second))) | (~steep & (enter >= first));
-    const wide_mask at_leave = (steep & (~meets | behind | (leave <= first))) | (~steep & (leave <= second));
-    out.lower = select(at_enter, enter, select(steep, second, first));
-    out.upper = select(at_leave, leave, select(steep, first, second));
+    if (slope != 0 && any_lane(steep)) {
+        // Where a ray runs steeper than the side, inside is what lies before its first crossing and behind its second.
+        const wide_mask before = enter < min(first, leave);
+        const wide_mask behind = max(enter, second) < leave;
+        at_enter = (steep & (~meets | before | (enter >= second))) | (~steep & at_enter);
+        at_leave = (steep & (~meets | behind | (leave <= first))) | (~steep & at_leave);
+        out.lower = select(at_enter, enter, select(steep, second, first));
+        out.upper = select(at_leave, leave, select(steep, first, second));
+        beside = beside & ~steep;
+        torn = steep & meets & before & behind;
+    }
     out.lower_part = select(at_enter, select(up, wide(1.0), wide(2.0)), zero);
     out.upper_part = select(at_leave, select(up, wide(2.0), wide(1.0)), zero);
     // Along the side or the axis: as far as the end planes say.
     const wide_mask along = a == zero;
-    out.misses = out.misses | (~along & ((~steep & ~meets) | ~(out.lower < out.upper)));
+    out.misses = out.misses | (~along & (beside | ~(out.lower < out.upper)));
     out.unknown = along & ~out.misses;
     // The two parts of what is inside touch in the apex, where open cones have an end that isn't seen.
-    if (p[9] != 0) out.unknown = out.unknown | (steep & meets & before & behind);
+    if (p[9] != 0) out.unknown = out.unknown | torn;
     out.outer = mask_of(0);
     out.lower = select(along, enter, out.lower);
     out.upper = select(along, leave, out.upper);
@@ -164,6 +180,7 @@ FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide st
     const wide c = dot(at, squared(at) + linear) + wide(p[9]);
     const wide discriminant = b * b - wide(4.0) * a * c;
     const wide_mask meets = discriminant > zero;
+    if (!any_lane(meets | (a <= zero))) return set_missed(out);
     const wide root = sqrt(select(meets, discriminant, zero));
     const wide q = wide(-0.5) * (b + select(b < zero, -root, root));
     const wide s0 = q / a;

@@ -55,7 +55,7 @@ struct Told {
 
 Told one_part(const QuickPart& part, const WideRays& rays, wide_mask asking) {
     WideStretch s;
-    part_stretch(part, rays, s);
+    shape_stretch(part, rays, s);
     const wide_mask lower_met = (s.lower > rays.lower) & (s.lower < rays.upper);
     const wide_mask upper_met = (s.upper > rays.lower) & (s.upper < rays.upper) & (s.lower < rays.upper);
     Told told;
@@ -116,19 +116,23 @@ private:
         return stretches_[part];
     }
 
-    // NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
-    Hull hull_of(std::size_t index) {
+    FN Hull hull_of(std::size_t index) {
         const QuickNode& node = solid_.nodes[index];
         Hull out{rays_.lower, rays_.upper};
         if (node.inverted || node.kind == QuickNode::Kind::anything) return out;
-        if (node.kind == QuickNode::Kind::part) {
-            const WideStretch& s = stretch(node.first);
-            const bool exact = solid_.parts[node.first].exact;
-            const wide_mask anywhere = exact ? s.unknown | s.outer : s.outer;
-            out.lower = select(anywhere, rays_.lower, select(s.misses, wide(kEndless), max(rays_.lower, s.lower)));
-            out.upper = select(anywhere, rays_.upper, select(s.misses, wide(-kEndless), min(rays_.upper, s.upper)));
+        if (node.kind != QuickNode::Kind::part) {
+            hull_of_group(node, out);
             return out;
         }
+        const WideStretch& s = stretch(node.first);
+        const wide_mask anywhere = solid_.parts[node.first].exact ? s.unknown | s.outer : s.outer;
+        out.lower = select(anywhere, rays_.lower, select(s.misses, wide(kEndless), max(rays_.lower, s.lower)));
+        out.upper = select(anywhere, rays_.upper, select(s.misses, wide(-kEndless), min(rays_.upper, s.upper)));
+        return out;
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
+    [[gnu::noinline]] void hull_of_group(const QuickNode& node, Hull& out) {
         const bool joined = node.kind == QuickNode::Kind::joined;
         if (joined) out = {wide(kEndless), wide(-kEndless)};
         for (std::size_t i = node.first; i < node.first + node.count; ++i) {
@@ -136,18 +140,16 @@ private:
             const Hull child = hull_of(i);
             if (!joined) {
                 out = {max(out.lower, child.lower), min(out.upper, child.upper)};
-                if (!any_lane(out.lower <= out.upper + near_at(out.upper))) return out;
+                if (!any_lane(out.lower <= out.upper) && !any_lane(out.lower <= out.upper + near_at(out.upper))) return;
             } else {
                 const wide_mask there = child.lower <= child.upper + near_at(child.upper);
                 out.lower = select(there, min(out.lower, child.lower), out.lower);
                 out.upper = select(there, max(out.upper, child.upper), out.upper);
             }
         }
-        return out;
     }
 
-    // NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
-    State state_at(std::size_t index, const wide& t, const wide& near) {
+    FN State state_at(std::size_t index, const wide& t, const wide& near) {
         const QuickNode& node = solid_.nodes[index];
         State out;
         if (node.kind == QuickNode::Kind::part) {
@@ -157,16 +159,21 @@ private:
             out.inside = ((between & ~s.outer) | (beside & s.outer)) & ~s.misses;
             out.outside = (beside & ~s.outer) | (between & s.outer) | s.misses;
         } else {
-            const bool joined = node.kind == QuickNode::Kind::joined;
-            out = {mask_of(joined ? 0 : kHalf), mask_of(joined ? kHalf : 0)};
-            for (std::size_t i = node.first; i < node.first + node.count; ++i) {
-                const State child = state_at(i, t, near);
-                out.inside = joined ? out.inside | child.inside : out.inside & child.inside;
-                out.outside = joined ? out.outside & child.outside : out.outside | child.outside;
-            }
+            state_of_group(node, t, near, out);
         }
         if (node.inverted) std::swap(out.inside, out.outside);
         return out;
+    }
+
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as QuickSolid, of kMaxQuickNodes
+    [[gnu::noinline]] void state_of_group(const QuickNode& node, const wide& t, const wide& near, State& out) {
+        const bool joined = node.kind == QuickNode::Kind::joined;
+        out = {mask_of(joined ? 0 : kHalf), mask_of(joined ? kHalf : 0)};
+        for (std::size_t i = node.first; i < node.first + node.count; ++i) {
+            const State child = state_at(i, t, near);
+            out.inside = joined ? out.inside | child.inside : out.inside & child.inside;
+            out.outside = joined ? out.outside & child.outside : out.outside | child.outside;
+        }
     }
 
     /// The first end of a part's stretch at which the nodes beside it let it be seen. Where one is near to another's,
