@@ -41,6 +41,8 @@ QuickPart part_of(const CompiledSolid& solid, std::uint32_t index) {
     QuickPart part;
     part.leaf = index;
     part.shape_from_world = leaf.shape_from_world;
+    part.front_material = leaf.material;
+    part.back_material = leaf.interior_material != scene::Solid::kInherited ? leaf.interior_material : leaf.material;
     const solids::ShapeNumbers numbers = leaf.shape->numbers();
     part.kind = kind_of(*leaf.shape, numbers.kind);
     if (part.kind != Kind::anything) {
@@ -70,6 +72,8 @@ QuickSolid::QuickSolid(const CompiledSolid& solid) {
     complete = make_complete(solid);
     if (complete) {
         set_conditions(solid, 0, {});
+        plain = std::none_of(solid.leaves().begin(), solid.leaves().end(),
+                             [](const CompiledSolid::Leaf& leaf) { return leaf.needs_uv; });
         return;
     }
     parts.clear();

@@ -29,6 +29,7 @@ struct QuickPart {
     bool shows = true;       ///< Some of its surface may be seen: it doesn't only clip.
     bool flips = false;      ///< What is outside of it is inside of what its surface is seen as.
     std::uint32_t leaf = 0;  ///< Into CompiledSolid::leaves().
+    std::uint32_t front_material = 0, back_material = 0;  ///< What rays see that come from outside, and others.
     std::vector<QuickCondition> conditions;
     Affine3d shape_from_world;
     std::array<double, 12> numbers{};
@@ -51,6 +52,8 @@ struct QuickSolid {
     std::vector<QuickPart> parts;
     std::vector<QuickNode> nodes;  ///< The root is first; empty where nothing is known.
     bool complete = false;  ///< All of the solid is here; else what lies off the nodes' stretches is known alone.
+
+    bool plain = false;  ///< No material looks at texture coordinates.
 
     explicit QuickSolid(const solids::CompiledSolid& solid);
     [[nodiscard]] bool useful() const { return !nodes.empty(); }

@@ -257,6 +257,67 @@ FN void shape_stretch(const QuickPart& part, const WideRays& rays, WideStretch& 
     }
 }
 
+/// Normals of an exact part, of any length and outward, where rays meet its faces; as the shapes' own normal().
+FN wide3 shape_normal(const QuickPart& part, const wide3& at, wide face) {
+    const double* p = part.numbers.data();
+    const wide zero(0.0);
+    switch (part.kind) {
+        case QuickPart::Kind::sphere:
+            return at - uniform3(p);
+        case QuickPart::Kind::box: {
+            const auto along = [&](double low) {
+                return select(face == wide(low), wide(-1.0), select(face == wide(low + 1), wide(1.0), zero));
+            };
+            return {along(0), along(2), along(4)};
+        }
+        case QuickPart::Kind::cone: {
+            const wide3 axis = uniform3(p + 4);
+            const double slope = p[8];
+            const wide3 from_base = at - uniform3(p);
+            const wide3 off_axis = from_base - axis * dot(from_base, axis);
+            const wide off = sqrt(dot(off_axis, off_axis));
+            const wide3 side = off_axis - axis * (wide(slope) * off);
+            const wide along = select(face == wide(1.0), wide(-1.0),
+                                      select(face == wide(2.0), wide(1.0), wide(slope < 0 ? 1.0 : -1.0)));
+            const wide_mask on_side = (face == zero) & (off > zero);
+            return {select(on_side, side.x, axis.x * along), select(on_side, side.y, axis.y * along),
+                    select(on_side, side.z, axis.z * along)};
+        }
+        case QuickPart::Kind::quadric: {
+            const wide3 row_x{wide(p[0]), wide(p[3]), wide(p[4])};
+            const wide3 row_y{wide(p[3]), wide(p[1]), wide(p[5])};
+            const wide3 row_z{wide(p[4]), wide(p[5]), wide(p[2])};
+            return wide3{dot(row_x, at), dot(row_y, at), dot(row_z, at)} * wide(2.0) + uniform3(p + 6);
+        }
+        default:
+            return uniform3(p);
+    }
+}
+
+/// Unit normals in the world, towards where rays come from in the lanes of `faces_ray` and away from there in others.
+/// False lanes of `fine` are those whose slopes are too steep or flat for this.
+FN wide3 part_normal(const QuickPart& part, const WideRays& rays, wide t, wide face, wide_mask faces_ray,
+                     wide_mask& fine) {
+    const Affine3d& m = part.shape_from_world;
+    const wide3 o = carried(m, rays.origin) + wide3{wide(m.t.x), wide(m.t.y), wide(m.t.z)};
+    const wide3 n = shape_normal(part, o + carried(m, rays.direction) * t, face);
+    const wide squared = dot(n, n);
+    fine = (squared > wide(1e-60)) & (squared < wide(1e60));
+    const wide3 column_x{wide(m.x.x), wide(m.x.y), wide(m.x.z)};
+    const wide3 column_y{wide(m.y.x), wide(m.y.y), wide(m.y.z)};
+    const wide3 column_z{wide(m.z.x), wide(m.z.y), wide(m.z.z)};
+    const wide3 in_world{dot(column_x, n), dot(column_y, n), dot(column_z, n)};
+    const wide length = sqrt(dot(in_world, in_world));
+    fine = fine & (length > wide(0.0));
+    const wide3 unit{in_world.x / length, in_world.y / length, in_world.z / length};
+    // As CompiledSolid::hit_of turns it: first as the part is inverted, which decides where it is across the ray.
+    const wide sign(part.flips ? -1.0 : 1.0);
+    const wide3 turned = unit * sign;
+    const wide_mask against = dot(turned, rays.direction) < wide(0.0);
+    const wide_mask agrees = (against & faces_ray) | (~against & ~faces_ray);
+    return turned * select(agrees, wide(1.0), wide(-1.0));
+}
+
 /// The stretches of rays that are inside a part; of one that isn't exact, `unknown` where it may be in the rays'
 /// ranges.
 inline void part_stretch(const QuickPart& part, const WideRays& rays, WideStretch& out) {

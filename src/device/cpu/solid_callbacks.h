@@ -23,8 +23,7 @@ void occluded_by_solid_4(const RTCOccludedFunctionNArguments* args);
 void occluded_by_solid_8(const RTCOccludedFunctionNArguments* args);
 void occluded_by_solid_16(const RTCOccludedFunctionNArguments* args);
 
-/// Where lanes meet the parts of a QuickSolid: what there is to know of a hit but its normal, material and texture
-/// coordinates.
+/// Where lanes meet the parts of a QuickSolid.
 struct QuickHits {
     std::array<double, 16> t;
     std::array<double, 16> place;  ///< Twice the part's number, plus 1 where the ray leaves it.

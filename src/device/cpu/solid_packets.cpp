@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "device/accel/primitive_facts.h"
+#include "device/cpu/coincidence.h"
 #include "device/cpu/embree.h"
 #include "device/cpu/geometry_data.h"
 #include "device/cpu/quick_solid.h"
@@ -228,12 +228,58 @@ private:
     std::array<WideStretch, kMaxQuickParts> stretches_;
 };
 
-Told ask(const QuickSolid& solid, RTCRayN* rays, int half, float reach, unsigned asking) {
-    const WideRays wide_rays = rays_of(rays, half, reach);
+Told ask(const QuickSolid& solid, const WideRays& wide_rays, unsigned asking) {
     const wide_mask lanes = mask_of(asking);
     const bool alone = solid.complete && solid.parts.size() == 1 && solid.parts[0].ends_show &&
                        solid.parts[0].kind != QuickPart::Kind::quadric;
     return alone ? one_part(solid.parts[0], wide_rays, lanes) : Asked(solid, wide_rays).tell(lanes);
+}
+
+/// Hits as Embree is told of them.
+struct FoundHits {
+    alignas(64) std::array<float, kLanes> t, x, y, z;
+    std::array<std::uint32_t, kLanes> material;
+};
+
+/// Writes half of the lanes' hits to `hits`, and returns the lanes of `told.met` that it can't tell of.
+unsigned find_hits(const QuickSolid& solid, const WideRays& rays, const Told& told, int half, FoundHits& hits) {
+    wide3 normal{wide(0.0), wide(0.0), wide(0.0)};
+    unsigned bad = 0;
+    for (unsigned left = told.met; left != 0;) {
+        const auto index = static_cast<std::uint32_t>(told.place.v[__builtin_ctz(left)]) / 2;
+        const QuickPart& part = solid.parts[index];
+        const wide enters_at(2.0 * index);
+        const wide_mask enters = told.place == enters_at;
+        const wide_mask of_part = enters | (told.place == enters_at + wide(1.0));
+        wide_mask fine;
+        const wide_mask faces_ray = part.flips ? ~enters : enters;
+        const wide3 n = part_normal(part, rays, told.t, told.face, faces_ray, fine);
+        normal = {select(of_part, n.x, normal.x), select(of_part, n.y, normal.y), select(of_part, n.z, normal.z)};
+        const unsigned here = bits_of(of_part) & left;
+        bad |= here & ~bits_of(fine);
+        for (unsigned lanes = here; lanes != 0; lanes &= lanes - 1) {
+            const int lane = __builtin_ctz(lanes);
+            hits.material[half * kWideLanes + lane] =
+                (bits_of(faces_ray) >> lane & 1U) != 0 ? part.front_material : part.back_material;
+        }
+        left &= ~here;
+    }
+    store_half(told.t, hits.t.data(), half);
+    store_half(normal.x, hits.x.data(), half);
+    store_half(normal.y, hits.y.data(), half);
+    store_half(normal.z, hits.z.data(), half);
+    return bad;
+}
+
+void enter_found(const RTCIntersectFunctionNArguments* args, unsigned lanes, const FoundHits& found) {
+    RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, kLanes);
+    for (unsigned left = lanes; left != 0; left &= left - 1) {
+        const auto lane = static_cast<unsigned>(__builtin_ctz(left));
+        if (!enter_hit(args, lane, found.t[lane], found.x[lane], found.y[lane], found.z[lane])) continue;
+        RTCHitN_u(hits, kLanes, lane) = 0;
+        RTCHitN_v(hits, kLanes, lane) = 0;
+        RTCHitN_primID(hits, kLanes, lane) = found.material[lane];
+    }
 }
 
 }  // namespace
@@ -249,19 +295,29 @@ void SUNDOG_INTERSECT_SOLID(const RTCIntersectFunctionNArguments* args) {
     unsigned met = 0;
     unsigned unsure = 0;
     QuickHits hits;
+    FoundHits found;
     for (int half = 0; half < 2; ++half) {
         const int first = half * kWideLanes;
         if ((asking >> first & kHalf) == 0) continue;
-        const Told told = ask(*data.quick, rays, half, 1 + accel::kCoincident, asking >> first & kHalf);
+        const WideRays wide_rays = rays_of(rays, half, 1 + kCoincident);
+        const Told told = ask(*data.quick, wide_rays, asking >> first & kHalf);
         met |= told.met << first;
         unsure |= told.unsure << first;
         if (told.met == 0) continue;
+        if (data.quick->plain) {
+            unsure |= find_hits(*data.quick, wide_rays, told, half, found) << first;
+            continue;
+        }
         std::memcpy(hits.t.data() + first, &told.t.v, sizeof told.t.v);
         std::memcpy(hits.place.data() + first, &told.place.v, sizeof told.place.v);
         std::memcpy(hits.face.data() + first, &told.face.v, sizeof told.face.v);
     }
     if (data.culling) unsure |= met, met = 0;
-    if (met != 0) enter_quick_hits(args, met, hits);
+    met &= ~unsure;
+    if (met != 0) {
+        if (data.quick->plain) enter_found(args, met, found);
+        else enter_quick_hits(args, met, hits);
+    }
     if (unsure != 0) intersect_solid_in(args, unsure);
 }
 
@@ -277,7 +333,7 @@ void SUNDOG_OCCLUDED_BY_SOLID(const RTCOccludedFunctionNArguments* args) {
     for (int half = 0; half < 2; ++half) {
         const int first = half * kWideLanes;
         if ((asking >> first & kHalf) == 0) continue;
-        const Told told = ask(*data.quick, args->ray, half, 1, asking >> first & kHalf);
+        const Told told = ask(*data.quick, rays_of(args->ray, half, 1), asking >> first & kHalf);
         met |= told.met << first;
         unsure |= told.unsure << first;
     }
