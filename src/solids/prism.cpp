@@ -136,7 +136,7 @@ private:
                 distance[k] = conic_ ? plane.x * piece.x[k] + plane.y + plane.z * piece.y[k]
                                      : plane.x * (piece.x[k] - o.x) + plane.z * (piece.y[k] - o.z);
             RootList roots;
-            append_bernstein_roots(distance, roots);
+            append_piece_roots(piece, distance, roots);
             const bool changes = (distance[0] >= 0) != (distance[3] >= 0);
             // A ray through the joint of two pieces: one of them takes it, by the same rule as in inside_curves.
             if ((roots.size() % 2 == 1) != changes) roots.push_back(distance[0] == 0 ? 0.0 : 1.0);
