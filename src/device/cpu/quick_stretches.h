@@ -197,7 +197,7 @@ FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide st
 
 /// A stretch around all of a torus: between the planes that it touches, in the cylinder around it, and not all of the
 /// way in its hole.
-FN void torus_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+FN void torus_stretch(const double* p, const wide3& o, const wide3& d, wide start, wide stop, WideStretch& out) {
     const double outer = p[0] + p[1];
     const double hole = p[0] - p[1];
     const double room = 1e-6 * outer;
@@ -218,8 +218,8 @@ FN void torus_stretch(const double* p, const wide3& o, const wide3& d, WideStret
     const wide discriminant = wide((outer + room) * (outer + room)) - (x * x + z * z);
     out.misses = out.misses | ~(discriminant > zero);
     const wide half = sqrt(max(discriminant, zero) / a);
-    lower = select(upright, lower, max(lower, middle - half));
-    upper = select(upright, upper, min(upper, middle + half));
+    lower = max(start, select(upright, lower, max(lower, middle - half)));
+    upper = min(stop, select(upright, upper, min(upper, middle + half)));
     if (hole > room) {
         const auto in_hole = [&](wide t) {
             const wide x_t = o.x + d.x * t;
@@ -227,6 +227,28 @@ FN void torus_stretch(const double* p, const wide3& o, const wide3& d, WideStret
             return x_t * x_t + z_t * z_t < wide((hole - room) * (hole - room));
         };
         out.misses = out.misses | (in_hole(lower) & in_hole(upper));
+    }
+    if (any_lane(~out.misses & (lower <= upper))) {
+        // The polynomial that is negative inside (torus.cpp), in units of the torus and of this stretch: where all of
+        // its Bernstein coefficients are positive, so is it.
+        const double unit = 1 / outer;
+        const double big = p[0] * unit;
+        const double k = 4 * big * big;
+        const wide3 q = (o + d * lower) * wide(unit);
+        const wide3 e = d * ((upper - lower) * wide(unit));
+        const wide a2 = dot(e, e);
+        const wide b2 = dot(q, e);
+        const wide c2 = dot(q, q) + wide(hole * unit);
+        const wide c0 = c2 * c2 - wide(k) * (q.x * q.x + q.z * q.z);
+        const wide c1 = b2 * c2 - wide(0.5 * k) * (q.x * e.x + q.z * e.z);  // a quarter of the power coefficient
+        const wide sixth =
+            (wide(4.0) * b2 * b2 + wide(2.0) * a2 * c2 - wide(k) * (e.x * e.x + e.z * e.z)) * wide(1.0 / 6);
+        const wide quarter = a2 * b2;
+        const wide first = c0 + c1;
+        const wide second = first + c1 + sixth;
+        const wide third = second + c1 + wide(2.0) * sixth + quarter;
+        const wide last = c0 + wide(4.0) * c1 + wide(6.0) * sixth + wide(4.0) * quarter + a2 * a2;
+        out.misses = out.misses | (min(min(c0, first), min(min(second, third), last)) > wide(1e-9));
     }
     out.lower = lower;
     out.upper = upper;
@@ -251,7 +273,7 @@ FN void shape_stretch(const QuickPart& part, const WideRays& rays, WideStretch& 
         case QuickPart::Kind::quadric:
             return quadric_stretch(p, o, d, rays.lower, rays.upper, out);
         case QuickPart::Kind::torus:
-            return torus_stretch(p, o, d, out);
+            return torus_stretch(p, o, d, rays.lower, rays.upper, out);
         case QuickPart::Kind::anything:
             set_ends(wide(-kEndless), wide(kEndless), out);
     }
