@@ -121,29 +121,29 @@ void append_piece_roots(const CurvePiece& piece, const std::array<double, 4>& c,
     if ((c[0] < 0 && c[3] > 0) || (c[0] > 0 && c[3] < 0)) roots.push_back(c[0] / (c[0] - c[3]));
 }
 
+bool is_met_oddly(const CurvePiece& piece, double x, double y) {
+    if (std::max({piece.x[0], piece.x[1], piece.x[2], piece.x[3]}) < x) return false;
+    std::array<double, 4> c = piece.y;
+    for (double& v : c) v -= y;
+    // An end on the line counts as above it; both pieces that meet there see it so.
+    const bool start_above = c[0] >= 0;
+    const bool end_above = c[3] >= 0;
+    RootList roots;
+    append_piece_roots(piece, c, roots);
+    bool odd = false;
+    for (const double u : roots)
+        if (evaluate_cubic(piece.x, u) > x) odd = !odd;
+    if ((roots.size() % 2 == 1) == (start_above != end_above)) return odd;
+    // The change of side happens at an end, where the root itself is not counted.
+    const double end_x = c[0] == 0 ? piece.x[0] : piece.x[3];
+    return end_x > x ? !odd : odd;
+}
+
 bool inside_curves(const std::vector<Curve>& curves, double x, double y) {
     bool odd = false;
-    for (const Curve& curve : curves) {
-        for (const CurvePiece& piece : curve.pieces) {
-            if (std::max({piece.x[0], piece.x[1], piece.x[2], piece.x[3]}) < x) continue;
-            std::array<double, 4> c = piece.y;
-            for (double& v : c) v -= y;
-            // An end on the line counts as above it; both pieces that meet there see it so.
-            const bool start_above = c[0] >= 0;
-            const bool end_above = c[3] >= 0;
-            RootList roots;
-            append_piece_roots(piece, c, roots);
-            std::size_t met = 0;
-            for (const double u : roots) {
-                ++met;
-                if (evaluate_cubic(piece.x, u) > x) odd = !odd;
-            }
-            if ((met % 2 == 1) == (start_above != end_above)) continue;
-            // The change of side happens at an end, where the root itself is not counted.
-            const double end_x = c[0] == 0 ? piece.x[0] : piece.x[3];
-            if (end_x > x) odd = !odd;
-        }
-    }
+    for (const Curve& curve : curves)
+        for (const CurvePiece& piece : curve.pieces)
+            if (is_met_oddly(piece, x, y)) odd = !odd;
     return odd;
 }
 

@@ -33,6 +33,9 @@ Curve curve_through(scene::SplineKind kind, const std::vector<std::array<double,
 /// 3.4.5.1.11). An outline that isn't closed is closed by a straight piece.
 std::vector<Curve> closed_curves(scene::SplineKind kind, const std::vector<std::array<double, 2>>& points);
 
+/// Whether a line from (x, y) in +x direction meets a piece an odd number of times.
+bool is_met_oddly(const CurvePiece& piece, double x, double y);
+
 /// Whether (x, y) is inside of an odd number of the curves' loops: pieces are counted that a line in +x direction
 /// meets.
 bool inside_curves(const std::vector<Curve>& curves, double x, double y);
