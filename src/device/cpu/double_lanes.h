@@ -100,6 +100,19 @@ FN wide half_of(const float& first, int half) {
     return wide(__builtin_convertvector(v, vdouble));
 }
 
+/// The first lanes whose bits are set, one after the other, of such a member: as many as half of a packet has.
+FN wide packed_of(const float& first, unsigned bits) {
+    vhalf v{};
+#if SUNDOG_KERNEL_LANES == 16
+    v = bits_as<vhalf>(
+        _mm512_castps512_ps256(_mm512_maskz_compress_ps(static_cast<__mmask16>(bits), _mm512_loadu_ps(&first))));
+#else
+    for (int lane = 0; lane < kWideLanes && bits != 0; ++lane, bits &= bits - 1)
+        v[lane] = (&first)[__builtin_ctz(bits)];
+#endif
+    return wide(__builtin_convertvector(v, vdouble));
+}
+
 FN void store_half(wide x, float* first, int half) {
     const vhalf v = __builtin_convertvector(x.v, vhalf);
     __builtin_memcpy(first + half * kWideLanes, &v, sizeof v);

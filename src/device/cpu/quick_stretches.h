@@ -18,6 +18,7 @@ inline constexpr double kEndless = __builtin_inf();
 struct WideRays {
     wide3 origin, direction;
     wide lower, upper;
+    wide_mask asking;  ///< Other lanes hold anything.
 };
 
 /// Where rays go into a shape and out of it, and on which of its faces; endless where they don't.
@@ -47,7 +48,7 @@ FN void set_missed(WideStretch& out) {
     out.misses = mask_of((1U << kWideLanes) - 1U);
 }
 
-FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, wide_mask asking, WideStretch& out) {
     const wide3 center = uniform3(p);
     const wide radius(p[3]);
     const wide a = dot(d, d);
@@ -55,7 +56,7 @@ FN void sphere_stretch(const double* p, const wide3& o, const wide3& d, WideStre
     const wide3 offset = o + d * middle - center;
     const wide discriminant = radius * radius - dot(offset, offset);
     const wide_mask meets = discriminant > wide(0.0);
-    if (!any_lane(meets)) return set_missed(out);
+    if (!any_lane(meets & asking)) return set_missed(out);
     const wide half = sqrt(select(meets, discriminant, wide(0.0)) / a);
     set_ends(middle - half, middle + half, out);
     out.misses = ~meets;
@@ -97,7 +98,7 @@ FN void half_space_stretch(const double* p, const wide3& o, const wide3& d, wide
     out.misses = (speed == zero) & ~(dot(normal, o + d * start) < distance);
 }
 
-FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretch& out) {
+FN void cone_stretch(const double* p, const wide3& o, const wide3& d, wide_mask asking, WideStretch& out) {
     const wide3 base = uniform3(p);
     const double height = p[3];
     const wide3 axis = uniform3(p + 4);
@@ -127,7 +128,7 @@ FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretc
     const wide c = dot(off_axis, off_axis) - radius * radius;
     const wide discriminant = b * b - a * c;
     const wide_mask meets = discriminant > zero;
-    if (!any_lane((meets | (a <= zero)) & ~out.misses)) return set_missed(out);
+    if (!any_lane((meets | (a <= zero)) & ~out.misses & asking)) return set_missed(out);
     const wide root = sqrt(select(meets, discriminant, zero));
     const wide q = -(b + select(b < zero, -root, root));
     const wide s0 = q / a;
@@ -141,7 +142,7 @@ FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretc
     wide_mask beside = ~meets;
     wide_mask torn = mask_of(0);
     const wide_mask steep = a < zero;
-    if (slope != 0 && any_lane(steep)) {
+    if (slope != 0 && any_lane(steep & asking)) {
         // Where a ray runs steeper than the side, inside is what lies before its first crossing and behind its second.
         const wide_mask before = enter < min(first, leave);
         const wide_mask behind = max(enter, second) < leave;
@@ -165,14 +166,14 @@ FN void cone_stretch(const double* p, const wide3& o, const wide3& d, WideStretc
     out.upper = select(along, leave, out.upper);
 }
 
-FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide start, wide stop, WideStretch& out) {
+FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, const WideRays& rays, WideStretch& out) {
     const wide3 row_x{wide(p[0]), wide(p[3]), wide(p[4])};
     const wide3 row_y{wide(p[3]), wide(p[1]), wide(p[5])};
     const wide3 row_z{wide(p[4]), wide(p[5]), wide(p[2])};
     const auto squared = [&](wide3 v) { return wide3{dot(row_x, v), dot(row_y, v), dot(row_z, v)}; };
     const wide3 linear = uniform3(p + 6);
     const wide zero(0.0);
-    const wide t_near = clamped(-dot(o, d) / dot(d, d), start, stop);
+    const wide t_near = clamped(-dot(o, d) / dot(d, d), rays.lower, rays.upper);
     const wide3 at = o + d * t_near;
     const wide3 squared_d = squared(d);
     const wide a = dot(d, squared_d);
@@ -180,7 +181,7 @@ FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide st
     const wide c = dot(at, squared(at) + linear) + wide(p[9]);
     const wide discriminant = b * b - wide(4.0) * a * c;
     const wide_mask meets = discriminant > zero;
-    if (!any_lane(meets | (a <= zero))) return set_missed(out);
+    if (!any_lane((meets | (a <= zero)) & rays.asking)) return set_missed(out);
     const wide root = sqrt(select(meets, discriminant, zero));
     const wide q = wide(-0.5) * (b + select(b < zero, -root, root));
     const wide s0 = q / a;
@@ -197,7 +198,7 @@ FN void quadric_stretch(const double* p, const wide3& o, const wide3& d, wide st
 
 /// A stretch around all of a torus: between the planes that it touches, in the cylinder around it, and not all of the
 /// way in its hole.
-FN void torus_stretch(const double* p, const wide3& o, const wide3& d, wide start, wide stop, WideStretch& out) {
+FN void torus_stretch(const double* p, const wide3& o, const wide3& d, const WideRays& rays, WideStretch& out) {
     const double outer = p[0] + p[1];
     const double hole = p[0] - p[1];
     const double room = 1e-6 * outer;
@@ -218,8 +219,8 @@ FN void torus_stretch(const double* p, const wide3& o, const wide3& d, wide star
     const wide discriminant = wide((outer + room) * (outer + room)) - (x * x + z * z);
     out.misses = out.misses | ~(discriminant > zero);
     const wide half = sqrt(max(discriminant, zero) / a);
-    lower = max(start, select(upright, lower, max(lower, middle - half)));
-    upper = min(stop, select(upright, upper, min(upper, middle + half)));
+    lower = max(rays.lower, select(upright, lower, max(lower, middle - half)));
+    upper = min(rays.upper, select(upright, upper, min(upper, middle + half)));
     if (hole > room) {
         const auto in_hole = [&](wide t) {
             const wide x_t = o.x + d.x * t;
@@ -228,7 +229,7 @@ FN void torus_stretch(const double* p, const wide3& o, const wide3& d, wide star
         };
         out.misses = out.misses | (in_hole(lower) & in_hole(upper));
     }
-    if (any_lane(~out.misses & (lower <= upper))) {
+    if (any_lane(~out.misses & (lower <= upper) & rays.asking)) {
         // The polynomial that is negative inside (torus.cpp), in units of the torus and of this stretch: where all of
         // its Bernstein coefficients are positive, so is it.
         const double unit = 1 / outer;
@@ -263,17 +264,17 @@ FN void shape_stretch(const QuickPart& part, const WideRays& rays, WideStretch& 
     const double* p = part.numbers.data();
     switch (part.kind) {
         case QuickPart::Kind::sphere:
-            return sphere_stretch(p, o, d, out);
+            return sphere_stretch(p, o, d, rays.asking, out);
         case QuickPart::Kind::box:
             return box_stretch(p, o, d, out);
         case QuickPart::Kind::half_space:
             return half_space_stretch(p, o, d, rays.lower, out);
         case QuickPart::Kind::cone:
-            return cone_stretch(p, o, d, out);
+            return cone_stretch(p, o, d, rays.asking, out);
         case QuickPart::Kind::quadric:
-            return quadric_stretch(p, o, d, rays.lower, rays.upper, out);
+            return quadric_stretch(p, o, d, rays, out);
         case QuickPart::Kind::torus:
-            return torus_stretch(p, o, d, rays.lower, rays.upper, out);
+            return torus_stretch(p, o, d, rays, out);
         case QuickPart::Kind::anything:
             set_ends(wide(-kEndless), wide(kEndless), out);
     }

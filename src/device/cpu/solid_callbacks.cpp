@@ -82,20 +82,15 @@ void occluded_by_solid_in(const RTCOccludedFunctionNArguments* args, unsigned la
     }
 }
 
-void enter_quick_hits(const RTCIntersectFunctionNArguments* args, unsigned lanes, const QuickHits& hits) {
+void enter_quick_hit(const RTCIntersectFunctionNArguments* args, unsigned lane, const QuickHit& hit) {
     const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, args->N);
-    for (unsigned left = lanes; left != 0; left &= left - 1) {
-        const auto lane = static_cast<unsigned>(std::countr_zero(left));
-        const auto place = static_cast<std::uint32_t>(hits.place[lane]);
-        const QuickPart& part = data.quick->parts[place / 2];
-        solids::Crossing crossing{hits.t[lane]};
-        crossing.part = static_cast<std::uint32_t>(hits.face[lane]);
-        const bool enters_part = place % 2 == 0;
-        enter(args, lane,
-              data.solid->hit_on(ray_of(rays, args->N, lane), part.leaf, crossing, enters_part != part.flips,
-                                 part.flips));
-    }
+    const QuickPart& part = data.quick->parts[hit.place / 2];
+    solids::Crossing crossing{hit.t};
+    crossing.part = hit.face;
+    const bool enters_part = hit.place % 2 == 0;
+    enter(args, lane,
+          data.solid->hit_on(ray_of(RTCRayHitN_RayN(args->rayhit, args->N), args->N, lane), part.leaf, crossing,
+                             enters_part != part.flips, part.flips));
 }
 
 }  // namespace sundog::cpu

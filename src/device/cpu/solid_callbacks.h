@@ -2,7 +2,6 @@
 // Embree's callbacks for exact solids: geometryUserPtr is a GeometryData whose `solid` is set.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "device/cpu/geometry_data.h"
@@ -23,17 +22,16 @@ void occluded_by_solid_4(const RTCOccludedFunctionNArguments* args);
 void occluded_by_solid_8(const RTCOccludedFunctionNArguments* args);
 void occluded_by_solid_16(const RTCOccludedFunctionNArguments* args);
 
-/// Where lanes meet the parts of a QuickSolid.
-struct QuickHits {
-    std::array<double, 16> t;
-    std::array<double, 16> place;  ///< Twice the part's number, plus 1 where the ray leaves it.
-    std::array<double, 16> face;   ///< Crossing::part.
+/// Where a ray meets a part of a QuickSolid.
+struct QuickHit {
+    double t;
+    std::uint32_t place;  ///< Twice the part's number, plus 1 where the ray leaves it.
+    std::uint32_t face;   ///< Crossing::part.
 };
 
 // For the units of each width: the lanes whose bits are set, ray by ray.
 void intersect_solid_in(const RTCIntersectFunctionNArguments* args, unsigned lanes);
 void occluded_by_solid_in(const RTCOccludedFunctionNArguments* args, unsigned lanes);
-/// Enters the hits of the lanes whose bits are set.
-void enter_quick_hits(const RTCIntersectFunctionNArguments* args, unsigned lanes, const QuickHits& hits);
+void enter_quick_hit(const RTCIntersectFunctionNArguments* args, unsigned lane, const QuickHit& hit);
 
 }  // namespace sundog::cpu

@@ -23,18 +23,59 @@ constexpr double kNear = 2e-9;
 /// Half of a packet's lanes.
 constexpr unsigned kHalf = (1U << kWideLanes) - 1U;
 
-WideRays rays_of(RTCRayN* rays, int half, float reach) {
+/// Lanes of a packet that are told together, no more than half of all.
+struct Group {
+    unsigned lanes;  ///< Their bits in the packet.
+    int half;        ///< Which half of it they are in; -1 where they are in both, and packed.
+
+    [[nodiscard]] bool packed() const { return half < 0; }
+    /// Their bits in the group.
+    [[nodiscard]] unsigned slots() const {
+        return packed() ? (1U << __builtin_popcount(lanes)) - 1U : lanes >> (half * kWideLanes);
+    }
+    /// Calls visit(slot, lane) for the slots whose bits are set.
+    template <class Visit>
+    FN void for_each(unsigned slots, const Visit& visit) const {
+        if (!packed()) {
+            for (; slots != 0; slots &= slots - 1) {
+                const int slot = __builtin_ctz(slots);
+                visit(slot, static_cast<unsigned>(slot + half * kWideLanes));
+            }
+            return;
+        }
+        unsigned rest = lanes;
+        for (int slot = 0; slots >> slot != 0; ++slot, rest &= rest - 1)
+            if ((slots >> slot & 1U) != 0) visit(slot, static_cast<unsigned>(__builtin_ctz(rest)));
+    }
+    [[nodiscard]] unsigned lanes_of_slots(unsigned slots) const {
+        unsigned out = 0;
+        for_each(slots, [&](int, unsigned lane) { out |= 1U << lane; });
+        return out;
+    }
+};
+
+/// Calls visit(group) for one group or two that hold the lanes.
+template <class Visit>
+FN void for_each_group(unsigned lanes, const Visit& visit) {
+    const unsigned low = lanes & kHalf;
+    const unsigned high = lanes & ~kHalf;
+    if (low != 0 && high != 0 && __builtin_popcount(lanes) <= kWideLanes) return visit(Group{lanes, -1});
+    if (low != 0) visit(Group{low, 0});
+    if (high != 0) visit(Group{high, 1});
+}
+
+WideRays rays_of(RTCRayN* rays, const Group& group, float reach) {
     constexpr unsigned n = kLanes;
+    const auto of = [&](const float& first) {
+        return group.packed() ? packed_of(first, group.lanes) : half_of(first, group.half);
+    };
     WideRays out;
-    out.origin = {half_of(RTCRayN_org_x(rays, n, 0), half), half_of(RTCRayN_org_y(rays, n, 0), half),
-                  half_of(RTCRayN_org_z(rays, n, 0), half)};
-    out.direction = {half_of(RTCRayN_dir_x(rays, n, 0), half), half_of(RTCRayN_dir_y(rays, n, 0), half),
-                     half_of(RTCRayN_dir_z(rays, n, 0), half)};
-    out.lower = half_of(RTCRayN_tnear(rays, n, 0), half);
-    vhalf far;
-    std::memcpy(&far, &RTCRayN_tfar(rays, n, 0) + half * kWideLanes, sizeof far);
-    far = far * reach;  // in single precision, as for single rays
-    out.upper = wide(__builtin_convertvector(far, vdouble));
+    out.origin = {of(RTCRayN_org_x(rays, n, 0)), of(RTCRayN_org_y(rays, n, 0)), of(RTCRayN_org_z(rays, n, 0))};
+    out.direction = {of(RTCRayN_dir_x(rays, n, 0)), of(RTCRayN_dir_y(rays, n, 0)), of(RTCRayN_dir_z(rays, n, 0))};
+    out.lower = of(RTCRayN_tnear(rays, n, 0));
+    // In single precision, as for single rays.
+    out.upper = rounded(of(RTCRayN_tfar(rays, n, 0)) * wide(reach));
+    out.asking = mask_of(group.slots());
     return out;
 }
 
@@ -46,11 +87,11 @@ unsigned asking_lanes(const GeometryData& data, const int* valid, RTCRayN* rays)
     return lane_bits(mask_and(word(asked) != word(0U), (word(seen) & word(data.visible_to)) != word(0U)));
 }
 
-/// What half of a packet is told.
+/// What a group is told.
 struct Told {
-    unsigned met = 0;     ///< Lanes whose first hit is known.
-    unsigned unsure = 0;  ///< Lanes to be asked ray by ray.
-    wide t, place, face;  ///< Of those that met, as QuickHits have them.
+    unsigned met = 0;     ///< Slots whose first hit is known.
+    unsigned unsure = 0;  ///< Slots to be asked ray by ray.
+    wide t, place, face;  ///< Of those that met, as QuickHit has them.
 };
 
 Told one_part(const QuickPart& part, const WideRays& rays, wide_mask asking) {
@@ -67,7 +108,7 @@ Told one_part(const QuickPart& part, const WideRays& rays, wide_mask asking) {
     return told;
 }
 
-/// A solid on half of a packet's rays.
+/// A solid on a group's rays.
 class Asked {
 public:
     Asked(const QuickSolid& solid, const WideRays& rays)
@@ -228,23 +269,20 @@ private:
     std::array<WideStretch, kMaxQuickParts> stretches_;
 };
 
-Told ask(const QuickSolid& solid, const WideRays& wide_rays, unsigned asking) {
-    const wide_mask lanes = mask_of(asking);
+Told ask(const QuickSolid& solid, const WideRays& rays) {
     const bool alone = solid.complete && solid.parts.size() == 1 && solid.parts[0].ends_show &&
                        solid.parts[0].kind != QuickPart::Kind::quadric;
-    return alone ? one_part(solid.parts[0], wide_rays, lanes) : Asked(solid, wide_rays).tell(lanes);
+    return alone ? one_part(solid.parts[0], rays, rays.asking) : Asked(solid, rays).tell(rays.asking);
 }
 
-/// Hits as Embree is told of them.
-struct FoundHits {
-    alignas(64) std::array<float, kLanes> t, x, y, z;
-    std::array<std::uint32_t, kLanes> material;
+/// Normals of hits, and what is met there.
+struct Surfaces {
+    wide3 normal{wide(0.0), wide(0.0), wide(0.0)};
+    std::array<std::uint32_t, kWideLanes> material;
+    unsigned bad = 0;  ///< Slots that it can't tell of.
 };
 
-/// Writes half of the lanes' hits to `hits`, and returns the lanes of `told.met` that it can't tell of.
-unsigned find_hits(const QuickSolid& solid, const WideRays& rays, const Told& told, int half, FoundHits& hits) {
-    wide3 normal{wide(0.0), wide(0.0), wide(0.0)};
-    unsigned bad = 0;
+void find_surfaces(const QuickSolid& solid, const WideRays& rays, const Told& told, Surfaces& out) {
     for (unsigned left = told.met; left != 0;) {
         const auto index = static_cast<std::uint32_t>(told.place.v[__builtin_ctz(left)]) / 2;
         const QuickPart& part = solid.parts[index];
@@ -254,32 +292,33 @@ unsigned find_hits(const QuickSolid& solid, const WideRays& rays, const Told& to
         wide_mask fine;
         const wide_mask faces_ray = part.flips ? ~enters : enters;
         const wide3 n = part_normal(part, rays, told.t, told.face, faces_ray, fine);
-        normal = {select(of_part, n.x, normal.x), select(of_part, n.y, normal.y), select(of_part, n.z, normal.z)};
+        out.normal = {select(of_part, n.x, out.normal.x), select(of_part, n.y, out.normal.y),
+                      select(of_part, n.z, out.normal.z)};
         const unsigned here = bits_of(of_part) & left;
-        bad |= here & ~bits_of(fine);
-        for (unsigned lanes = here; lanes != 0; lanes &= lanes - 1) {
-            const int lane = __builtin_ctz(lanes);
-            hits.material[half * kWideLanes + lane] =
-                (bits_of(faces_ray) >> lane & 1U) != 0 ? part.front_material : part.back_material;
+        out.bad |= here & ~bits_of(fine);
+        for (unsigned slots = here; slots != 0; slots &= slots - 1) {
+            const int slot = __builtin_ctz(slots);
+            out.material[slot] = (bits_of(faces_ray) >> slot & 1U) != 0 ? part.front_material : part.back_material;
         }
         left &= ~here;
     }
-    store_half(told.t, hits.t.data(), half);
-    store_half(normal.x, hits.x.data(), half);
-    store_half(normal.y, hits.y.data(), half);
-    store_half(normal.z, hits.z.data(), half);
-    return bad;
 }
 
-void enter_found(const RTCIntersectFunctionNArguments* args, unsigned lanes, const FoundHits& found) {
+/// Enters hits of a group whose slots' bits are set, where no material looks at texture coordinates.
+void enter_plain(const RTCIntersectFunctionNArguments* args, const Group& group, unsigned slots, const Told& told,
+                 const Surfaces& surfaces) {
+    alignas(64) std::array<float, kWideLanes> t, x, y, z;
+    store_half(told.t, t.data(), 0);
+    store_half(surfaces.normal.x, x.data(), 0);
+    store_half(surfaces.normal.y, y.data(), 0);
+    store_half(surfaces.normal.z, z.data(), 0);
     RTCHitN* hits = RTCRayHitN_HitN(args->rayhit, kLanes);
-    for (unsigned left = lanes; left != 0; left &= left - 1) {
-        const auto lane = static_cast<unsigned>(__builtin_ctz(left));
-        if (!enter_hit(args, lane, found.t[lane], found.x[lane], found.y[lane], found.z[lane])) continue;
+    group.for_each(slots, [&](int slot, unsigned lane) {
+        if (!enter_hit(args, lane, t[slot], x[slot], y[slot], z[slot])) return;
         RTCHitN_u(hits, kLanes, lane) = 0;
         RTCHitN_v(hits, kLanes, lane) = 0;
-        RTCHitN_primID(hits, kLanes, lane) = found.material[lane];
-    }
+        RTCHitN_primID(hits, kLanes, lane) = surfaces.material[slot];
+    });
 }
 
 }  // namespace
@@ -291,33 +330,25 @@ void SUNDOG_INTERSECT_SOLID(const RTCIntersectFunctionNArguments* args) {
         return;
     }
     RTCRayN* rays = RTCRayHitN_RayN(args->rayhit, kLanes);
-    const unsigned asking = asking_lanes(data, args->valid, rays);
-    unsigned met = 0;
     unsigned unsure = 0;
-    QuickHits hits;
-    FoundHits found;
-    for (int half = 0; half < 2; ++half) {
-        const int first = half * kWideLanes;
-        if ((asking >> first & kHalf) == 0) continue;
-        const WideRays wide_rays = rays_of(rays, half, 1 + kCoincident);
-        const Told told = ask(*data.quick, wide_rays, asking >> first & kHalf);
-        met |= told.met << first;
-        unsure |= told.unsure << first;
-        if (told.met == 0) continue;
-        if (data.quick->plain) {
-            unsure |= find_hits(*data.quick, wide_rays, told, half, found) << first;
-            continue;
+    for_each_group(asking_lanes(data, args->valid, rays), [&](const Group& group) {
+        const WideRays wide_rays = rays_of(rays, group, 1 + kCoincident);
+        Told told = ask(*data.quick, wide_rays);
+        if (data.culling) told.unsure |= told.met, told.met = 0;
+        if (told.met != 0 && data.quick->plain) {
+            Surfaces surfaces;
+            find_surfaces(*data.quick, wide_rays, told, surfaces);
+            enter_plain(args, group, told.met & ~surfaces.bad, told, surfaces);
+            told.unsure |= surfaces.bad;
+        } else if (told.met != 0) {
+            group.for_each(told.met, [&](int slot, unsigned lane) {
+                enter_quick_hit(args, lane,
+                                {told.t.v[slot], static_cast<std::uint32_t>(told.place.v[slot]),
+                                 static_cast<std::uint32_t>(told.face.v[slot])});
+            });
         }
-        std::memcpy(hits.t.data() + first, &told.t.v, sizeof told.t.v);
-        std::memcpy(hits.place.data() + first, &told.place.v, sizeof told.place.v);
-        std::memcpy(hits.face.data() + first, &told.face.v, sizeof told.face.v);
-    }
-    if (data.culling) unsure |= met, met = 0;
-    met &= ~unsure;
-    if (met != 0) {
-        if (data.quick->plain) enter_found(args, met, found);
-        else enter_quick_hits(args, met, hits);
-    }
+        unsure |= group.lanes_of_slots(told.unsure);
+    });
     if (unsure != 0) intersect_solid_in(args, unsure);
 }
 
@@ -327,19 +358,13 @@ void SUNDOG_OCCLUDED_BY_SOLID(const RTCOccludedFunctionNArguments* args) {
         occluded_by_solid(args);
         return;
     }
-    const unsigned asking = asking_lanes(data, args->valid, args->ray);
-    unsigned met = 0;
     unsigned unsure = 0;
-    for (int half = 0; half < 2; ++half) {
-        const int first = half * kWideLanes;
-        if ((asking >> first & kHalf) == 0) continue;
-        const Told told = ask(*data.quick, rays_of(args->ray, half, 1), asking >> first & kHalf);
-        met |= told.met << first;
-        unsure |= told.unsure << first;
-    }
-    if (data.culling) unsure |= met, met = 0;
-    for (unsigned left = met; left != 0; left &= left - 1)
-        RTCRayN_tfar(args->ray, kLanes, static_cast<unsigned>(__builtin_ctz(left))) = -INFINITY;
+    for_each_group(asking_lanes(data, args->valid, args->ray), [&](const Group& group) {
+        Told told = ask(*data.quick, rays_of(args->ray, group, 1));
+        if (data.culling) told.unsure |= told.met, told.met = 0;
+        group.for_each(told.met, [&](int, unsigned lane) { RTCRayN_tfar(args->ray, kLanes, lane) = -INFINITY; });
+        unsure |= group.lanes_of_slots(told.unsure);
+    });
     if (unsure != 0) occluded_by_solid_in(args, unsure);
 }
 
