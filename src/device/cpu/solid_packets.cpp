@@ -181,7 +181,9 @@ private:
             const Hull child = hull_of(i);
             if (!joined) {
                 out = {max(out.lower, child.lower), min(out.upper, child.upper)};
-                if (!any_lane(out.lower <= out.upper) && !any_lane(out.lower <= out.upper + near_at(out.upper))) return;
+                if (!any_lane((out.lower <= out.upper) & rays_.asking) &&
+                    !any_lane((out.lower <= out.upper + near_at(out.upper)) & rays_.asking))
+                    return;
             } else {
                 const wide_mask there = child.lower <= child.upper + near_at(child.upper);
                 out.lower = select(there, min(out.lower, child.lower), out.lower);
