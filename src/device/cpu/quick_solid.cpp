@@ -23,6 +23,8 @@ Kind kind_of(const solids::Shape& shape, solids::ShapeNumbers::Kind kind) {
             return Kind::cone;
         case Numbers::quadric:
             return Kind::quadric;
+        case Numbers::disc:
+            return Kind::disc;
         case Numbers::torus:
             return Kind::torus;
         default:
@@ -48,7 +50,7 @@ QuickPart part_of(const CompiledSolid& solid, std::uint32_t index) {
     if (part.kind != Kind::anything) {
         std::copy_n(numbers.values.begin(), std::min(numbers.values.size(), part.numbers.size()), part.numbers.begin());
         part.exact = part.kind != Kind::torus;
-        part.ends_show = part.kind != Kind::cone || leaf.shape->is_convex();
+        part.all_shows = part.kind != Kind::disc && (part.kind != Kind::cone || leaf.shape->is_convex());
         return part;
     }
     const Bounds3d box = solids::joined(leaf.shape->bounds({}), leaf.shape->inside_bounds({}));

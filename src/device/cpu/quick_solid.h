@@ -22,10 +22,10 @@ struct QuickCondition {
 
 /// A shape in its own space, as numbers (solids/shape_numbers.h).
 struct QuickPart {
-    enum class Kind : std::uint8_t { sphere, box, half_space, cone, quadric, torus, anything };
+    enum class Kind : std::uint8_t { sphere, box, half_space, cone, quadric, disc, torus, anything };
     Kind kind = Kind::anything;
     bool exact = false;      ///< Else the stretch found on a ray is one around the shape's.
-    bool ends_show = true;   ///< Of a cone, its end discs.
+    bool all_shows = true;   ///< Else faces other than 0 aren't there: an open cone's ends, the plane around a disc.
     bool shows = true;       ///< Some of its surface may be seen: it doesn't only clip.
     bool flips = false;      ///< What is outside of it is inside of what its surface is seen as.
     std::uint32_t leaf = 0;  ///< Into CompiledSolid::leaves().

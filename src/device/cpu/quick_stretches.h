@@ -98,6 +98,21 @@ FN void half_space_stretch(const double* p, const wide3& o, const wide3& d, wide
     out.misses = (speed == zero) & ~(dot(normal, o + d * start) < distance);
 }
 
+/// What is behind the disc's plane; off the disc that has face 1.
+FN void disc_stretch(const double* p, const wide3& o, const wide3& d, wide start, WideStretch& out) {
+    const wide3 center = uniform3(p);
+    const wide3 normal = uniform3(p + 3);
+    const wide zero(0.0);
+    const wide speed = dot(normal, d);
+    const wide t = dot(normal, center - o) / speed;
+    set_ends(select(speed < zero, t, wide(-kEndless)), select(speed > zero, t, wide(kEndless)), out);
+    out.misses = (speed == zero) & ~(dot(normal, o + d * start - center) < zero);
+    const wide3 from_center = o + d * t - center;
+    const wide squared = dot(from_center, from_center);
+    const wide_mask on_disc = (squared <= wide(p[6] * p[6])) & (squared >= wide(p[7] * p[7]));
+    out.lower_part = out.upper_part = select(on_disc, zero, wide(1.0));
+}
+
 FN void cone_stretch(const double* p, const wide3& o, const wide3& d, wide_mask asking, WideStretch& out) {
     const wide3 base = uniform3(p);
     const double height = p[3];
@@ -273,6 +288,8 @@ FN void shape_stretch(const QuickPart& part, const WideRays& rays, WideStretch& 
             return cone_stretch(p, o, d, rays.asking, out);
         case QuickPart::Kind::quadric:
             return quadric_stretch(p, o, d, rays, out);
+        case QuickPart::Kind::disc:
+            return disc_stretch(p, o, d, rays.lower, out);
         case QuickPart::Kind::torus:
             return torus_stretch(p, o, d, rays, out);
         case QuickPart::Kind::anything:
@@ -312,6 +329,8 @@ FN wide3 shape_normal(const QuickPart& part, const wide3& at, wide face) {
             const wide3 row_z{wide(p[4]), wide(p[5]), wide(p[2])};
             return wide3{dot(row_x, at), dot(row_y, at), dot(row_z, at)} * wide(2.0) + uniform3(p + 6);
         }
+        case QuickPart::Kind::disc:
+            return uniform3(p + 3);
         default:
             return uniform3(p);
     }

@@ -236,7 +236,7 @@ private:
                 const wide& t = end == 0 ? own.lower : own.upper;
                 const wide& face = end == 0 ? own.lower_part : own.upper_part;
                 wide_mask shows = there & (t > rays_.lower) & (t < rays_.upper);
-                if (!part.ends_show) shows = shows & (face == wide(0.0));
+                if (!part.all_shows) shows = shows & (face == wide(0.0));
                 const wide near = near_at(t);
                 wide_mask sure = own.upper - own.lower > near;
                 for (const QuickCondition& condition : part.conditions) {
@@ -272,7 +272,7 @@ private:
 };
 
 Told ask(const QuickSolid& solid, const WideRays& rays) {
-    const bool alone = solid.complete && solid.parts.size() == 1 && solid.parts[0].ends_show &&
+    const bool alone = solid.complete && solid.parts.size() == 1 && solid.parts[0].all_shows &&
                        solid.parts[0].kind != QuickPart::Kind::quadric;
     return alone ? one_part(solid.parts[0], rays, rays.asking) : Asked(solid, rays).tell(rays.asking);
 }
