@@ -67,6 +67,12 @@ public:
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        return find(ray, range, out, false);
+    }
+    bool first_crossing(const Ray& ray, Range range, CrossingList& out) const override {
+        return find(ray, range, out, true);
+    }
+    bool find(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
         Stretches stretches;
         Range whole = range;
         tree_.along(ray, whole, [&](std::uint32_t i) { append_stretches(ray, range, i, stretches); });
@@ -80,7 +86,7 @@ public:
         // What is inside is carried from piece to piece: where rounding disagrees at a cut, the surface is there.
         const bool starts_inside = cuts[0] <= range.lower ? inside(ray.at(range.lower)) : 0 > threshold_;
         bool is_inside = starts_inside;
-        for (std::size_t i = 1; i < cuts.size(); ++i)
+        for (std::size_t i = 1; i < cuts.size() && !(only_first && !out.empty()); ++i)
             if (cuts[i - 1] < cuts[i]) append_piece(ray, {cuts[i - 1], cuts[i]}, stretches, range, is_inside, out);
         return starts_inside;
     }

@@ -371,7 +371,18 @@ std::optional<Hit> CompiledSolid::nearest(const Ray& asked_ray, Range range) con
 
 bool CompiledSolid::any(const Ray& ray, Range range) const { return any_event(0, WorldRay(ray), range); }
 
-Hit CompiledSolid::hit_of(const Event& event, const WorldRay& ray) const {
+Hit CompiledSolid::hit_on(const Ray& ray, std::uint32_t leaf, const Crossing& crossing, bool faces_ray,
+                          bool flipped) const {
+    Event event;
+    event.crossing = crossing;
+    event.leaf = leaf;
+    event.toggles = event.visible = true;
+    event.faces_ray = faces_ray;
+    event.flipped = flipped;
+    return hit_of(event, ray);
+}
+
+Hit CompiledSolid::hit_of(const Event& event, const Ray& ray) const {
     const Leaf& leaf = leaves_[event.leaf];
     Hit hit;
     hit.t = event.crossing.t;

@@ -68,6 +68,10 @@ public:
     [[nodiscard]] std::optional<Hit> nearest(const Ray& ray, Range range) const;
     /// Whether there is any surface within `range`.
     [[nodiscard]] bool any(const Ray& ray, Range range) const;
+    /// The hit where a ray crosses a leaf's boundary, visibly: `faces_ray` where it comes from outside of what the
+    /// boundary is of, `flipped` where that is outside of the leaf.
+    [[nodiscard]] Hit hit_on(const Ray& ray, std::uint32_t leaf, const Crossing& crossing, bool faces_ray,
+                             bool flipped) const;
     [[nodiscard]] bool inside(Vec3d point) const { return inside_node(0, point); }
     /// Around all surfaces; infinite sides where the solid has no end.
     [[nodiscard]] const Bounds3d& bounds() const { return surface_bounds_; }
@@ -142,7 +146,7 @@ private:
     bool any_off_ends(std::uint32_t index, const WorldRay& ray, Range range, Range kept, bool& found) const;
     [[nodiscard]] bool any_event(std::uint32_t node, const WorldRay& ray, Range range) const;
     [[nodiscard]] bool inside_node(std::uint32_t node, Vec3d point) const;
-    [[nodiscard]] Hit hit_of(const Event& event, const WorldRay& ray) const;
+    [[nodiscard]] Hit hit_of(const Event& event, const Ray& ray) const;
 
     std::vector<Node> nodes_;  ///< The root is first.
     std::vector<Leaf> leaves_;

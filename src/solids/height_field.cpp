@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "solids/shape.h"
@@ -54,8 +55,13 @@ public:
         const Range within = clip(column, ray, {-kInfinity, kInfinity});
         if (!(within.lower < within.upper) || within.upper <= range.lower || within.lower >= range.upper) return false;
         Walk walk{ray, range, within, out, 1 / ray.direction.x, 1 / ray.direction.z, only_first};
-        const auto top = static_cast<std::uint32_t>(levels_.size() - 1);
-        visit(top, 0, 0, within, {ray.at(within.lower).y, ray.at(within.upper).y}, walk);
+        // From the smallest square that holds all of the way.
+        const Vec3d from = ray.at(within.lower);
+        const Vec3d to = ray.at(within.upper);
+        const std::array<std::uint32_t, 2> first = cell_at(from);
+        const std::array<std::uint32_t, 2> last = cell_at(to);
+        const auto level = static_cast<std::uint32_t>(std::bit_width((first[0] ^ last[0]) | (first[1] ^ last[1])));
+        visit(level, first[0] >> level, first[1] >> level, within, {from.y, to.y}, walk);
         if (walk.below && !walk.done) walk.toggle({within.upper, 0, 0, kNoCell, true, false});
         return walk.starts_inside;
     }
@@ -133,11 +139,15 @@ private:
         return blend(height(column, row), height(column + 1, row), height(column, row + 1), height(column + 1, row + 1),
                      u, v, right);
     }
+    /// Column and row of the cell that a point is over or under.
+    [[nodiscard]] std::array<std::uint32_t, 2> cell_at(Vec3d p) const {
+        return {static_cast<std::uint32_t>(std::clamp(p.x * columns_, 0.0, columns_ - 1.0)),
+                static_cast<std::uint32_t>(std::clamp((1 - p.z) * rows_, 0.0, rows_ - 1.0))};
+    }
     [[nodiscard]] double height_at(double x, double z) const {
         const double u = x * columns_;
         const double v = (1 - z) * rows_;
-        const auto column = static_cast<std::uint32_t>(std::clamp(u, 0.0, columns_ - 1.0));
-        const auto row = static_cast<std::uint32_t>(std::clamp(v, 0.0, rows_ - 1.0));
+        const auto [column, row] = cell_at({x, 0, z});
         return height_in(column, row, u - column, v - row, right_triangle(u - column, v - row));
     }
     /// Normal of a triangle, of height 1.
@@ -176,8 +186,8 @@ private:
     }
 
     /// Goes through a square that the ray enters and leaves at heights `y`, by its quarters in the ray's order.
-    void visit(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within, std::array<double, 2> y,
-               Walk& walk) const {
+    [[gnu::always_inline]] void visit(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within,
+                                      std::array<double, 2> y, Walk& walk) const {
         const std::array<float, 2>& extent = levels_[level].extent[std::size_t{row} * levels_[level].columns + column];
         const bool above = std::min(y[0], y[1]) > extent[1];
         if (above || std::max(y[0], y[1]) < extent[0]) {
@@ -185,6 +195,10 @@ private:
             return walk.arrive(within.lower, !above, static_cast<std::uint32_t>(first_cell));
         }
         if (level == 0) return walk_cell(column, row, within, walk);
+        visit_quarters(level, column, row, within, y, walk);
+    }
+    void visit_quarters(std::uint32_t level, std::uint32_t column, std::uint32_t row, Range within,
+                        std::array<double, 2> y, Walk& walk) const {
         // Cut at the two middle lines.
         const std::uint32_t below = level - 1;
         const double middle_x = static_cast<double>((2 * column + 1) << below) * cell_width_;

@@ -103,11 +103,12 @@ constexpr int kMaxDepth = 44;
 /// How well turning points need to be known: what a polynomial differs by there goes as the square of that.
 constexpr double kTurnTolerance = 1e-9;
 
-/// Writes the roots at which the sign changes, ascending, to `roots`, and returns their number. Between the roots of
-/// the derivative, found in the same way, a polynomial is monotone and has one root or none (Yuksel: High-Performance
-/// Polynomial Root Finding for Graphics, HPG 2022); Descartes' rule of signs spares most of the work.
+/// Writes the roots at which the sign changes, ascending, to `roots`, and returns their number; with `only_first`,
+/// those after the first need not be there. Between the roots of the derivative, found in the same way, a polynomial is
+/// monotone and has one root or none (Yuksel: High-Performance Polynomial Root Finding for Graphics, HPG 2022);
+/// Descartes' rule of signs spares most of the work.
 template <std::size_t N>
-std::size_t find_roots(const double* c, double* roots, double tolerance) {
+std::size_t find_roots(const double* c, double* roots, double tolerance, bool only_first = false) {
     const int changes = sign_changes({c, N + 1});
     if (changes == 0) return 0;
     if constexpr (N == 1) {
@@ -133,10 +134,19 @@ std::size_t find_roots(const double* c, double* roots, double tolerance) {
         std::array<double, N> derivative;
         for (std::size_t i = 0; i < N; ++i) derivative[i] = c[i + 1] - c[i];
         std::array<double, N> turns;
+        bool negative = first_sign({c, N + 1}) < 0;
+        if (N > 3 && only_first && find_roots<N - 1>(derivative.data(), turns.data(), kTurnTolerance, true) > 0) {
+            // Mostly the first root comes before the second turn.
+            const End turn{turns[0], sample<N>(c, turns[0]).value, true};
+            if (turn.value != 0 && (turn.value < 0) != negative) {
+                const double guess = guess_between({0, c[0], false}, turn);
+                roots[0] = root_between<N>(c, 0, turn.s, negative, guess, noise, tolerance);
+                return 1;
+            }
+        }
         const std::size_t turn_count = find_roots<N - 1>(derivative.data(), turns.data(), kTurnTolerance);
         std::size_t found = 0;
         End from{0, c[0], false};
-        bool negative = first_sign({c, N + 1}) < 0;
         for (std::size_t i = 0; i <= turn_count; ++i) {
             const bool last = i == turn_count;
             const End to = last ? End{1, c[N], false} : End{turns[i], sample<N>(c, turns[i]).value, true};
@@ -145,6 +155,7 @@ std::size_t find_roots(const double* c, double* roots, double tolerance) {
                 last ? (last_sign({c, N + 1}) < 0) != negative : to.value != 0 && (to.value < 0) != negative;
             if (differs) {
                 roots[found++] = root_between<N>(c, from.s, to.s, negative, guess_between(from, to), noise, tolerance);
+                if (only_first) return found;
                 negative = !negative;
             }
             from = to;
@@ -224,6 +235,12 @@ constexpr auto kInverseBinomials = [] {
 void append_bernstein_roots(std::span<const double> coefficients, RootList& roots) {
     if (coefficients.size() < 2 || coefficients.size() > kMaxDegree + 1) return;
     kRootFinders[coefficients.size() - 2](coefficients.data(), roots);
+}
+
+void append_first_bernstein_root(std::span<const double> coefficients, RootList& roots) {
+    if (coefficients.size() != 5) return append_bernstein_roots(coefficients, roots);
+    std::array<double, 4> found;
+    if (find_roots<4>(coefficients.data(), found.data(), 4e-16, true) > 0) roots.push_back(found[0]);
 }
 
 void bernstein_from_power(std::span<double> c) {

@@ -17,6 +17,8 @@ using RootList = SmallVector<double, 12>;
 /// root touches zero without a change and is not one; how near two roots may be and still count depends on rounding
 /// alone. Their number is odd where the ends' signs differ, whatever rounding does.
 void append_bernstein_roots(std::span<const double> coefficients, RootList& roots);
+/// The first of these alone.
+void append_first_bernstein_root(std::span<const double> coefficients, RootList& roots);
 
 /// Bernstein coefficients on [0, 1] of the polynomial sum of coefficients[i]*s^i, in place.
 void bernstein_from_power(std::span<double> coefficients);

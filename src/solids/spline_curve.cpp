@@ -9,7 +9,14 @@ namespace {
 using Point = std::array<double, 2>;
 
 /// Bezier's control point n third parts along a straight piece, and one derivative's third away from an end.
-CurvePiece piece_of(Point a, Point b, Point c, Point d) { return {{a[0], b[0], c[0], d[0]}, {a[1], b[1], c[1], d[1]}}; }
+CurvePiece piece_of(Point a, Point b, Point c, Point d) {
+    const auto is_even = [&](std::size_t k) {
+        const double most = std::max({std::abs(a[k]), std::abs(b[k]), std::abs(c[k]), std::abs(d[k])});
+        return std::abs(3 * b[k] - 2 * a[k] - d[k]) <= 4e-15 * most &&
+               std::abs(3 * c[k] - a[k] - 2 * d[k]) <= 4e-15 * most;
+    };
+    return {{a[0], b[0], c[0], d[0]}, {a[1], b[1], c[1], d[1]}, is_even(0) && is_even(1)};
+}
 Point mixed(Point a, double wa, Point b, double wb) { return {wa * a[0] + wb * b[0], wa * a[1] + wb * b[1]}; }
 
 CurvePiece straight(Point a, Point b) {
@@ -109,29 +116,34 @@ std::vector<Curve> closed_curves(scene::SplineKind kind, const std::vector<std::
     return curves;
 }
 
+void append_piece_roots(const CurvePiece& piece, const std::array<double, 4>& c, RootList& roots) {
+    if (!piece.straight) return append_bernstein_roots(c, roots);
+    if ((c[0] < 0 && c[3] > 0) || (c[0] > 0 && c[3] < 0)) roots.push_back(c[0] / (c[0] - c[3]));
+}
+
+bool is_met_oddly(const CurvePiece& piece, double x, double y) {
+    if (std::max({piece.x[0], piece.x[1], piece.x[2], piece.x[3]}) < x) return false;
+    std::array<double, 4> c = piece.y;
+    for (double& v : c) v -= y;
+    // An end on the line counts as above it; both pieces that meet there see it so.
+    const bool start_above = c[0] >= 0;
+    const bool end_above = c[3] >= 0;
+    RootList roots;
+    append_piece_roots(piece, c, roots);
+    bool odd = false;
+    for (const double u : roots)
+        if (evaluate_cubic(piece.x, u) > x) odd = !odd;
+    if ((roots.size() % 2 == 1) == (start_above != end_above)) return odd;
+    // The change of side happens at an end, where the root itself is not counted.
+    const double end_x = c[0] == 0 ? piece.x[0] : piece.x[3];
+    return end_x > x ? !odd : odd;
+}
+
 bool inside_curves(const std::vector<Curve>& curves, double x, double y) {
     bool odd = false;
-    for (const Curve& curve : curves) {
-        for (const CurvePiece& piece : curve.pieces) {
-            if (std::max({piece.x[0], piece.x[1], piece.x[2], piece.x[3]}) < x) continue;
-            std::array<double, 4> c = piece.y;
-            for (double& v : c) v -= y;
-            // An end on the line counts as above it; both pieces that meet there see it so.
-            const bool start_above = c[0] >= 0;
-            const bool end_above = c[3] >= 0;
-            RootList roots;
-            append_bernstein_roots(c, roots);
-            std::size_t met = 0;
-            for (const double u : roots) {
-                ++met;
-                if (evaluate_cubic(piece.x, u) > x) odd = !odd;
-            }
-            if ((met % 2 == 1) == (start_above != end_above)) continue;
-            // The change of side happens at an end, where the root itself is not counted.
-            const double end_x = c[0] == 0 ? piece.x[0] : piece.x[3];
-            if (end_x > x) odd = !odd;
-        }
-    }
+    for (const Curve& curve : curves)
+        for (const CurvePiece& piece : curve.pieces)
+            if (is_met_oddly(piece, x, y)) odd = !odd;
     return odd;
 }
 

@@ -20,6 +20,12 @@ public:
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
+        return find(ray, range, out, false);
+    }
+    bool first_crossing(const Ray& ray, Range range, CrossingList& out) const override {
+        return find(ray, range, out, true);
+    }
+    bool find(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
         const Range in_box = clip(roomy_box_, ray, range);
         if (!(in_box.lower < in_box.upper)) return false;
         // In units of the torus and of the way through its box, where all coefficients are of one size.
@@ -37,10 +43,12 @@ public:
                                       4 * b * b + 2 * a * c - k * (d.x * d.x + d.z * d.z), 4 * a * b, a * a};
         bernstein_from_power(quartic);
         RootList roots;
-        append_bernstein_roots(quartic, roots);
+        if (only_first) append_first_bernstein_root(quartic, roots);
+        else append_bernstein_roots(quartic, roots);
         for (const double s : roots) {
             const double t = in_box.lower + s * (in_box.upper - in_box.lower);
             if (range.contains(t)) out.push_back({t});
+            else if (only_first) return find(ray, range, out, false);
         }
         return quartic[0] < 0;
     }

@@ -81,9 +81,12 @@ public:
                          : lanes_ == 8 ? cpu::trace_photons_8
                                        : cpu::trace_photons_4;
         rays_ = lanes_ == 16 ? cpu::trace_rays_16 : lanes_ == 8 ? cpu::trace_rays_8 : cpu::trace_rays_4;
-        shapes_ = lanes_ == 16  ? cpu::ShapeCallbacks{cpu::intersect_shapes_16, cpu::occluded_by_shapes_16}
-                  : lanes_ == 8 ? cpu::ShapeCallbacks{cpu::intersect_shapes_8, cpu::occluded_by_shapes_8}
-                                : cpu::ShapeCallbacks{cpu::intersect_shapes_4, cpu::occluded_by_shapes_4};
+        shapes_ = lanes_ == 16  ? cpu::ShapeCallbacks{cpu::intersect_shapes_16, cpu::occluded_by_shapes_16,
+                                                     cpu::intersect_solid_16, cpu::occluded_by_solid_16}
+                  : lanes_ == 8 ? cpu::ShapeCallbacks{cpu::intersect_shapes_8, cpu::occluded_by_shapes_8,
+                                                      cpu::intersect_solid_8, cpu::occluded_by_solid_8}
+                                : cpu::ShapeCallbacks{cpu::intersect_shapes_4, cpu::occluded_by_shapes_4,
+                                                      cpu::intersect_solid_4, cpu::occluded_by_solid_4};
         const int threads = arena_.max_concurrency();
         device_.reset(rtcNewDevice(("threads=" + std::to_string(threads) + ",frequency_level=simd512").c_str()));
         if (!device_) throw DeviceError("Embree can't start on this processor");

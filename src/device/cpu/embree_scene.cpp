@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "device/cpu/solid_callbacks.h"
 
 namespace sundog::cpu {
 namespace {
@@ -66,8 +65,8 @@ embree::Geometry EmbreeScene::make_geometry(GeometryData& data) {
         const bool solid = g.kind == kernel::GEOMETRY_SOLID;
         rtcSetGeometryUserPrimitiveCount(geometry.get(), g.primitive_count);
         rtcSetGeometryBoundsFunction(geometry.get(), solid ? solid_bounds : shape_bounds, &data);
-        rtcSetGeometryIntersectFunction(geometry.get(), solid ? intersect_solid : shapes_.intersect);
-        rtcSetGeometryOccludedFunction(geometry.get(), solid ? occluded_by_solid : shapes_.occluded);
+        rtcSetGeometryIntersectFunction(geometry.get(), solid ? shapes_.intersect_solid : shapes_.intersect);
+        rtcSetGeometryOccludedFunction(geometry.get(), solid ? shapes_.occluded_by_solid : shapes_.occluded);
     }
     // What may be seen is for the callbacks to say; Embree 4 would compare masks by itself, and starts with 1.
     rtcSetGeometryMask(geometry.get(), 0xffffffffU);
@@ -97,6 +96,11 @@ void EmbreeScene::add(std::uint32_t index) {
         if (placed == scene_.solids.end() || placed->geometry != index)
             throw DeviceError("geometry " + std::to_string(index) + " is a solid, but the scene holds none for it");
         data.solid = placed->solid.get();
+        auto quick = std::make_unique<QuickSolid>(*data.solid);
+        if (quick->useful()) {
+            data.quick = quick.get();
+            quick_.push_back(std::move(quick));
+        }
     }
     const embree::Geometry geometry = make_geometry(data);
     if (g.instance == NONE) {

@@ -8,7 +8,9 @@
 
 #include "device/cpu/embree.h"
 #include "device/cpu/geometry_data.h"
+#include "device/cpu/quick_solid.h"
 #include "device/cpu/shape_callbacks.h"
+#include "device/cpu/solid_callbacks.h"
 #include "device/cpu/traversal.h"
 #include "device/render_scene.h"
 
@@ -16,10 +18,10 @@ namespace sundog::cpu {
 
 class EmbreeScene final : public Traversal {
 public:
-    /// Builds over the scene, which must outlive this; `shapes` are called for its spheres and boxes. Errors:
+    /// Builds over the scene, which must outlive this; `shapes` are called for its spheres, boxes and solids. Errors:
     /// DeviceError (out of memory).
     EmbreeScene(RTCDevice device, const RenderScene& scene,
-                ShapeCallbacks shapes = {intersect_shapes, occluded_by_shapes});
+                ShapeCallbacks shapes = {intersect_shapes, occluded_by_shapes, intersect_solid, occluded_by_solid});
 
     /// Commits if anything changed.
     void update(const Frame& frame) override;
@@ -39,7 +41,8 @@ private:
     ShapeCallbacks shapes_;
     embree::Scene top_;
     std::vector<std::unique_ptr<GeometryData>> data_;
-    std::vector<embree::Scene> moving_;     ///< One scene for each moving geometry, by instance.
+    std::vector<std::unique_ptr<QuickSolid>> quick_;  ///< Of solids, for data_.
+    std::vector<embree::Scene> moving_;               ///< One scene for each moving geometry, by instance.
     std::vector<RTCGeometry> instances_;    ///< Instance geometries in top_, by instance index; null for planes.
     std::vector<kernel::Instance> placed_;  ///< Placements last committed.
     bool culling_ = false;

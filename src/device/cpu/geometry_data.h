@@ -9,10 +9,13 @@
 
 namespace sundog::cpu {
 
+struct QuickSolid;
+
 struct GeometryData {
     const RenderScene* scene;
     kernel::Geometry geometry;
     const solids::CompiledSolid* solid = nullptr;  ///< Of a GEOMETRY_SOLID.
+    const QuickSolid* quick = nullptr;             ///< Of it, where that tells anything.
     std::uint32_t visible_to = kernel::RAY_ALL;    ///< RAY_* bits. Debian's Embree has no ray masks: callbacks ask.
     RTCGeometry handle = nullptr;                  ///< Owned by the scene it is attached to.
     bool culling = false;

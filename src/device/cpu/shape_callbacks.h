@@ -18,6 +18,8 @@ void shape_bounds(const RTCBoundsFunctionArguments* args);
 struct ShapeCallbacks {
     RTCIntersectFunctionN intersect;
     RTCOccludedFunctionN occluded;
+    RTCIntersectFunctionN intersect_solid;
+    RTCOccludedFunctionN occluded_by_solid;
 };
 
 // Ray by ray, for packets of any number.

@@ -107,11 +107,12 @@ TEST(ShapeCallbacks, PacketsGiveTheBitsOfSingleRays) {
         geometry.primitive_count = 8;
         scene.geometries.push_back(geometry);
     }
-    compare<RTCRayHit4, 4>(scene, {intersect_shapes_4, occluded_by_shapes_4});
-    if (__builtin_cpu_supports("avx2")) compare<RTCRayHit8, 8>(scene, {intersect_shapes_8, occluded_by_shapes_8});
+    compare<RTCRayHit4, 4>(scene, {intersect_shapes_4, occluded_by_shapes_4, nullptr, nullptr});
+    if (__builtin_cpu_supports("avx2"))
+        compare<RTCRayHit8, 8>(scene, {intersect_shapes_8, occluded_by_shapes_8, nullptr, nullptr});
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
         __builtin_cpu_supports("avx512vl"))
-        compare<RTCRayHit16, 16>(scene, {intersect_shapes_16, occluded_by_shapes_16});
+        compare<RTCRayHit16, 16>(scene, {intersect_shapes_16, occluded_by_shapes_16, nullptr, nullptr});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "device/cpu/coincidence.h"
+#include "device/cpu/double_lanes.h"
 #include "device/cpu/shape_callbacks.h"
 #include "kernel/shapes/box.h"
 #include "kernel/shapes/sphere.h"
@@ -48,11 +49,41 @@ mask asking_lanes(const GeometryData& data, const int* valid, RTCRayN* rays) {
                     (lanes_from(RTCRayN_mask(rays, kLanes, 0)) & word(data.visible_to)) != word(0U));
 }
 
-/// True for spheres so large that they are found in double, ray by ray.
-bool is_large(const GeometryData& data, unsigned primitive) {
-    const kernel::Geometry& g = data.geometry;
-    return g.kind == GEOMETRY_SPHERE &&
-           data.scene->spheres[g.first_primitive + primitive].radius >= accel::kLargeRadius;
+/// accel::hit_large_sphere for half of the lanes.
+unsigned hit_large_half(const kernel::Sphere& sphere, const Ray& ray, int half, float* ts, float* normals) {
+    const auto wide_half = [&](const real& x) { return half_of(reinterpret_cast<const float&>(x.v), half); };
+    const wide3 direction{wide_half(ray.direction.x), wide_half(ray.direction.y), wide_half(ray.direction.z)};
+    const wide3 from = wide3{wide_half(ray.origin.x), wide_half(ray.origin.y), wide_half(ray.origin.z)} -
+                       wide3{wide(sphere.center.x), wide(sphere.center.y), wide(sphere.center.z)};
+    const wide a = dot(direction, direction), b = dot(from, direction);
+    const wide c = dot(from, from) - wide(double{sphere.radius} * sphere.radius);
+    const wide discriminant = b * b - a * c;
+    const wide_mask reached = ~(discriminant < wide(0.0));
+    const wide root = sqrt(select(reached, discriminant, wide(0.0)));
+    const wide q = select(b < wide(0.0), root - b, -root - b);
+    const wide one = select(q == wide(0.0), wide(0.0), c / q), other = q / a;
+    const wide first = min(one, other), second = max(one, other);
+    // In single precision, as the ray's ends are.
+    const wide near = rounded(first), far = rounded(second);
+    const wide t_min = wide_half(ray.t_min), t_max = wide_half(ray.t_max);
+    const wide t = select((near > t_min) & (near < t_max), near, far);
+    const wide3 out = from + direction * select(t == near, first, second);
+    store_half(t, ts, half);
+    store_half(out.x, normals, half);
+    store_half(out.y, normals + kLanes, half);
+    store_half(out.z, normals + 2 * kLanes, half);
+    return bits_of(reached & (t > t_min) & (t < t_max));
+}
+
+mask hit_large_sphere(const kernel::Sphere& sphere, const Ray& ray, real& t, real3& normal) {
+    alignas(64) std::array<float, kLanes> ts;
+    alignas(64) std::array<float, 3 * kLanes> normals;
+    unsigned found = 0;
+    for (int half = 0; half < 2; ++half)
+        found |= hit_large_half(sphere, ray, half, ts.data(), normals.data()) << (half * kWideLanes);
+    t = lanes_from(ts[0]);
+    normal = real3(lanes_from(normals[0]), lanes_from(normals[kLanes]), lanes_from(normals[2 * kLanes]));
+    return lanes_of_bits(found);
 }
 
 mask hit_shape(const GeometryData& data, unsigned primitive, const Ray& ray, real& t, real3& normal) {
@@ -60,7 +91,9 @@ mask hit_shape(const GeometryData& data, unsigned primitive, const Ray& ray, rea
     mask found;
     if (data.geometry.kind == GEOMETRY_SPHERE) {
         const kernel::Sphere& sphere = data.scene->spheres[i];
-        found = intersect_sphere(ray, sphere.center, sphere.radius, t, normal);
+        // Others are so large that floats don't tell where a ray leaves them.
+        found = sphere.radius < accel::kLargeRadius ? intersect_sphere(ray, sphere.center, sphere.radius, t, normal)
+                                                    : hit_large_sphere(sphere, ray, t, normal);
     } else {
         const kernel::Box& box = data.scene->boxes[i];
         found = intersect_box(ray, box.lower, box.upper, t, normal);
@@ -74,7 +107,7 @@ mask hit_shape(const GeometryData& data, unsigned primitive, const Ray& ray, rea
 void SUNDOG_INTERSECT_SHAPES(const RTCIntersectFunctionNArguments* args) {
     const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
     constexpr unsigned n = kLanes;
-    if (args->N != n || is_large(data, args->primID)) {
+    if (args->N != n) {
         intersect_shapes(args);
         return;
     }
@@ -99,7 +132,7 @@ void SUNDOG_INTERSECT_SHAPES(const RTCIntersectFunctionNArguments* args) {
 
 void SUNDOG_OCCLUDED_BY_SHAPES(const RTCOccludedFunctionNArguments* args) {
     const auto& data = *static_cast<const GeometryData*>(args->geometryUserPtr);
-    if (args->N != kLanes || is_large(data, args->primID)) {
+    if (args->N != kLanes) {
         occluded_by_shapes(args);
         return;
     }
