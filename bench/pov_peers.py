@@ -7,6 +7,7 @@
     bench/pov_peers.py examples [FOLDER]             all scenes under povray-examples' folder on which povray takes more
                                                      than --at-least seconds, and the means of each kind of scene
     bench/pov_peers.py large   [--only NAME,...]     a million spheres, a mesh of many megabytes: parsing and memory
+    bench/pov_peers.py noise                         marble and granite: evaluations of noise in a processor second
 
 Times are processor seconds (user and system) and wall seconds of the whole program; memory is the peak resident set.
 Ratios above 1 mean that povray takes more. Each figure is the least of --rounds rounds, in which the programs alternate.
@@ -106,6 +107,17 @@ LARGE = {
 }
 
 
+# Many patterns of one kind at every pixel; each of the noisy ones adds up six octaves.
+NOISE_OCTAVES = 6
+NOISE_PATTERNS = {"gradient": "gradient x", "granite": "granite", "marble": "marble turbulence 1"}
+NOISE = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { orthographic location -z right 4*x up 3*y look_at 0 }
+plane { z, 0 finish { ambient 1 diffuse 0 } pigment { average pigment_map {
+  #declare I = 0; #while (I < %d) [1 %s color_map { [0 rgb 0] [1 rgb 1] } scale 1 + I/9 translate I*7] #declare I = I + 1; #end
+} } }
+"""
+
 EXAMPLES = "/usr/share/doc/povray/examples"
 
 # Kinds of scenes with means of their own, by what their text says.
@@ -165,6 +177,25 @@ def compare(name, scene, folder, options, with_memory=False, povray_first=None):
     return ratio, theirs[1] / ours[1]
 
 
+def compare_noise(folder, options):
+    """Evaluations of noise in a processor second: what granite and marble take more than a gradient in their place."""
+    width, height, count = 640, 480, 32
+    seconds = {}
+    for name, pattern in NOISE_PATTERNS.items():
+        file = folder / f"noise_{name}.pov"
+        file.write_text(NOISE % (count, pattern))
+        for side, program in {"sundog": options.sundog.split(), "povray": ["povray"]}.items():
+            command = program + [f"+W{width}", f"+H{height}", "-A", f"+WT{options.threads}", f"+I{file.name}", "-D", "-P",
+                                 f"+O{folder}/noise.png"]
+            seconds[side, name] = min(measure(command, folder)[0] for _ in range(options.rounds))
+    evaluations = width * height * count * NOISE_OCTAVES
+    print(f"{'millions of noise evaluations':<32} {'sundog':>8} {'povray':>8} {'ratio':>7}")
+    for name in ("granite", "marble"):
+        rates = [evaluations / 1e6 / max(seconds[side, name] - seconds[side, "gradient"], 1e-3)
+                 for side in ("sundog", "povray")]
+        print(f"{name + ', a processor second':<32} {rates[0]:8.0f} {rates[1]:8.0f} {rates[0] / rates[1]:7.2f}")
+
+
 def print_mean(name, ratios):
     means = [math.exp(sum(math.log(r[i]) for r in ratios) / len(ratios)) for i in (0, 1)]
     slower = sum(r[1] < 1 for r in ratios)
@@ -198,7 +229,7 @@ def compare_examples(folder, options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["shapes", "files", "examples", "large"])
+    parser.add_argument("what", choices=["shapes", "files", "examples", "large", "noise"])
     parser.add_argument("scenes", nargs="*")
     parser.add_argument("--sundog", default="build/release/apps/sundog/sundog pov", help="our command")
     parser.add_argument("--only", help="names of scenes, with commas between them")
@@ -213,6 +244,10 @@ def main():
     command = options.sundog.split()
     if os.path.exists(command[0]):
         options.sundog = " ".join([os.path.abspath(command[0])] + command[1:])
+    if options.what == "noise":
+        with tempfile.TemporaryDirectory() as temporary:
+            compare_noise(pathlib.Path(temporary), options)
+        return 0
     print(f"{'':<32} {'processor seconds':^25}   {'wall seconds':^25}" + (f"   {'peak MiB':^25}" if options.what == "large" else ""))
     print(f"{'scene':<32} " + "   ".join([f"{'sundog':>8} {'povray':>8} {'ratio':>7}"] * (3 if options.what == "large" else 2)))
     ratios = []
