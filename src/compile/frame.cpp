@@ -169,6 +169,8 @@ void set_radiosity(const scene::Radiosity& r, Frame& frame) {
     out.bent_normals = r.normal;
     out.through_media = r.media;
     out.always_sample = r.always_sample;
+    out.loaded = r.loaded;
+    out.store = r.store;
 }
 
 /// Where a target of photons is.

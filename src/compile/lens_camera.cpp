@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compile/camera.h"
+#include "compile/quantile.h"
 #include "fields/pigment_evaluator.h"
 #include "kernel/cameras/projections.h"
 #include "kernel/patterns/noise.h"
@@ -109,17 +110,6 @@ private:
     std::array<float, kSide> up_to_row_{};
     std::array<float, std::size_t{kSide} * kSide> up_to_column_{};
 };
-
-/// How far from the mean a share `p` of a normal distribution lies below.
-double normal_quantile(double p) {
-    double low = -40;
-    double high = 40;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (low + high) / 2;
-        (std::erfc(-middle / std::numbers::sqrt2) / 2 < p ? low : high) = middle;
-    }
-    return low;
-}
 
 class LensCamera final : public CameraRays {
 public:

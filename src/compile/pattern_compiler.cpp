@@ -9,6 +9,7 @@
 #include "compile/convert.h"
 #include "compile/insides_at.h"
 #include "compile/pattern_compiler.h"
+#include "compile/quantile.h"
 #include "fields/pigment_code.h"
 
 namespace sundog {
@@ -68,11 +69,15 @@ kernel::Layer kernel_layer(const scene::TextureLayer& layer, std::uint32_t progr
     return out;
 }
 
-/// Samples of an interval. Povray's pictures show that method 3 has a sample for each two that are asked for, and at
-/// least three; and that the other methods take more than one only where that is the least. There povray takes as many
-/// as the samples' variance asks for; here it's the mean of the least and the most.
+/// Samples of an interval, of method 1 at most. Povray's pictures show that method 3 has a sample for each two that are
+/// asked for, and at least three; and that the other methods take more than one only where that is the least. There
+/// povray takes as many as the samples' variance asks for, which method 2 has none of: it gets the mean of the least
+/// and the most.
 std::uint32_t samples_of_interval(const scene::Medium& m) {
     if (m.method == 3) return static_cast<std::uint32_t>(2 + std::max(m.samples, 3) / 2);
+    if (m.method == 1)
+        return static_cast<std::uint32_t>(m.samples < 2 || m.samples_most <= m.samples ? m.samples
+                                                                                       : m.samples_most + 1);
     return static_cast<std::uint32_t>(m.samples <= 1 ? 1 : (m.samples + m.samples_most + 1) / 2);
 }
 
@@ -226,6 +231,8 @@ std::uint32_t PatternCompiler::media_of(const std::vector<scene::Medium>& media,
         out_.code.push_back(static_cast<std::uint32_t>(std::max(m.intervals, 1)));
         put(m.jitter), put(m.ratio);
         out_.code.push_back(m.collects_photons ? 1 : 0);
+        out_.code.push_back(static_cast<std::uint32_t>(std::max(m.samples, 1)));
+        put(m.variance), put(static_cast<float>(normal_quantile(1 - std::clamp(m.confidence, 0.0F, 0.999999F))));
     }
     return known->second;
 }

@@ -295,6 +295,7 @@ int pattern_cost(const Pattern& pattern) {
         case Kind::function:
         case Kind::object:
         case Kind::ripples:
+        case Kind::share:
         case Kind::waves:
             cost = 8;
             break;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/irradiance.h"
 #include "base/photons.h"
 #include "base/vec.h"
 #include "device/camera_rays.h"
@@ -121,11 +122,13 @@ struct IrradianceCaching {
     float pretrace_start = 0.08F, pretrace_end = 0.04F;  ///< Sizes of steps over the picture's width.
     float gray_threshold = 0;                            ///< 0: light keeps its colour; 1: it is grey.
     float brightness = 1;
-    float max_sample = 0;        ///< Rays that bring more than this are dimmed to it; 0: none.
-    float min_weight = 0.01F;    ///< As FrameParams::min_weight, of rays that gather.
-    bool bent_normals = false;   ///< Patterned normals count.
-    bool through_media = false;  ///< Fog dims and tints what is gathered.
-    bool always_sample = false;  ///< Values are gathered while the picture is made, too.
+    float max_sample = 0;                           ///< Rays that bring more than this are dimmed to it; 0: none.
+    float min_weight = 0.01F;                       ///< As FrameParams::min_weight, of rays that gather.
+    bool bent_normals = false;                      ///< Patterned normals count.
+    bool through_media = false;                     ///< Fog dims and tints what is gathered.
+    bool always_sample = false;                     ///< Values are gathered while the picture is made, too.
+    std::shared_ptr<const StoredRadiosity> loaded;  ///< Known from the start.
+    std::shared_ptr<const RadiosityStore> store;    ///< Where they are kept once all are gathered; null: nowhere.
     friend bool operator==(const IrradianceCaching&, const IrradianceCaching&) = default;
 };
 

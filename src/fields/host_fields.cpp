@@ -213,6 +213,7 @@ bool is_host_field(Kind kind) {
         case Kind::object:
         case Kind::pavement:
         case Kind::quilted:
+        case Kind::share:
         case Kind::slope:
             return true;
         default:
@@ -250,6 +251,9 @@ std::unique_ptr<HostField> make_host_field(const scene::Pattern& pattern, std::s
             return field([c0 = pattern.control0, c1 = pattern.control1](const FieldPoint& point) {
                 return quilted_value(c0, c1, point.position);
             });
+        case Kind::share:
+            if (!pattern.share) break;
+            return field([share = pattern.share](const FieldPoint& point) { return share->at(point.position); });
         case Kind::slope:
             return field([form = pattern.slope](const FieldPoint& point) { return slope_value(form, point); });
         default:

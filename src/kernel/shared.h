@@ -387,11 +387,12 @@ KERNEL_CONST uint MEDIUM_SOLID = 0xfffffffeu;
 /// what they scatter, if that is more) can be anywhere, where their grid is (NONE: they have none), then MEDIUM_WORDS
 /// each: absorption, emission, scattering (3 floats each), extinction, eccentricity, scattering type, number of
 /// densities, where their programs are listed, samples of an interval, method, aa_level, aa_threshold, intervals,
-/// jitter, ratio, 1 if photons are stored there. See kernel/atmosphere/media.h.
+/// jitter, ratio, 1 if photons are stored there, and for method 1 the least number of samples, the variance that is
+/// good enough, and the normal distribution's quantile of how sure that is to be. See kernel/atmosphere/media.h.
 KERNEL_CONST uint MEDIA_LIST_MOST = 13u;
 KERNEL_CONST uint MEDIA_LIST_GRID = 14u;
 KERNEL_CONST uint MEDIA_LIST_WORDS = 15u;
-KERNEL_CONST uint MEDIUM_WORDS = 22u;
+KERNEL_CONST uint MEDIUM_WORDS = 25u;
 /// Grids of media in `code`: grid_from_world (columns x, y, z, t; cells are of size 1, the first at the origin),
 /// numbers of cells along x, y and z, what share of MEDIA_LIST_MOST the media have outside of them at most, then that
 /// of each cell, x running fastest. See kernel/atmosphere/majorants.h.

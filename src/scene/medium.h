@@ -26,6 +26,7 @@ struct Medium {
     int aa_level = 3;           ///< Method 3: how often the way between two samples is halved where they differ …
     float aa_threshold = 0.1F;  ///< … by more than this.
     float jitter = 0;           ///< How far samples are moved off their places, as a share of the way to the next one.
+    float variance = 1.0F / 128, confidence = 0.9F;  ///< Method 1: how well its random samples are to know the mean.
     bool collects_photons = true;
     float ratio = 0.9F;  ///< Share of the intervals that is in what spots light, where any do.
 };

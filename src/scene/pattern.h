@@ -95,6 +95,17 @@ public:
     [[nodiscard]] virtual bool inside(Vec3d point) const = 0;
 };
 
+/// How much of something there is at a point: what textures of an object's parts are blended by.
+class ShareOfPoint {
+public:
+    ShareOfPoint() = default;
+    ShareOfPoint(const ShareOfPoint&) = delete;
+    ShareOfPoint& operator=(const ShareOfPoint&) = delete;
+    virtual ~ShareOfPoint() = default;
+    /// 0 to 1. Any number of threads may ask at once.
+    [[nodiscard]] virtual double at(Vec3d point) const = 0;
+};
+
 /// A scalar field over space, 0..1 after its wave form, or a choice among a few (checker, brick, hexagon, …).
 struct Pattern {
     enum class Kind : std::uint8_t {
@@ -134,6 +145,7 @@ struct Pattern {
         quilted,
         radial,
         ripples,
+        share,
         slope,
         spherical,
         spiral1,
@@ -176,6 +188,7 @@ struct Pattern {
     std::shared_ptr<const Pigment> pigment;       ///< image, pigment
     bool uses_alpha = false;                      ///< image: the value is its alpha.
     std::shared_ptr<const InsideTest> inside_of;  ///< object
+    std::shared_ptr<const ShareOfPoint> share;    ///< share
 
     /// Moves the pattern within its texture.
     void move(const Affine3d& old_from_new) {

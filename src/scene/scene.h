@@ -10,6 +10,7 @@
 
 #include "base/boxed.h"
 #include "base/diagnostics.h"
+#include "base/irradiance.h"
 #include "base/vec.h"
 #include "scene/animation.h"
 #include "scene/photons.h"
@@ -314,7 +315,9 @@ struct Radiosity {
     float pretrace_start = 0.08F, pretrace_end = 0.04F;
     float gray_threshold = 0, brightness = 1, max_sample = 0, adc_bailout = 0.01F;
     bool normal = false, media = false, always_sample = false;
-    bool keeps_ambient = false;  ///< Scenes from before version 3.7: `ambient` counts all the same.
+    bool keeps_ambient = false;                     ///< Scenes from before version 3.7: `ambient` counts all the same.
+    std::shared_ptr<const StoredRadiosity> loaded;  ///< Known from the start.
+    std::shared_ptr<const RadiosityStore> store;    ///< Where what was gathered is kept; null: nowhere.
 };
 
 /// Light that enters a surface and comes out elsewhere (section 3.4.6.3.3.4 "Subsurface Light Transport"): finishes

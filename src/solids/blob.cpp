@@ -41,6 +41,18 @@ struct Component {
     }
 };
 
+Component compiled(const scene::BlobComponent& c) {
+    const Vec3d axis = c.is_cylinder ? c.end - c.center : Vec3d{};
+    const double length = sundog::length(axis);
+    Vec3d z = length > 0 ? axis / length : Vec3d{0, 0, 1};
+    const Vec3d aside = std::abs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+    const Vec3d x = normalize(cross(aside, z));
+    const Vec3d y = cross(z, x);
+    const Affine3d own{x * c.radius, y * c.radius, z * c.radius, c.center};
+    return {length > 0 ? Component::Kind::axis : Component::Kind::ball, inverse(c.blob_from_component * own),
+            length / c.radius, c.strength, c.material};
+}
+
 /// A stretch of a ray in one part of one component.
 struct Stretch {
     Range range;
@@ -136,18 +148,6 @@ public:
     }
 
 private:
-    static Component compiled(const scene::BlobComponent& c) {
-        const Vec3d axis = c.is_cylinder ? c.end - c.center : Vec3d{};
-        const double length = sundog::length(axis);
-        Vec3d z = length > 0 ? axis / length : Vec3d{0, 0, 1};
-        const Vec3d aside = std::abs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
-        const Vec3d x = normalize(cross(aside, z));
-        const Vec3d y = cross(z, x);
-        const Affine3d own{x * c.radius, y * c.radius, z * c.radius, c.center};
-        return {length > 0 ? Component::Kind::axis : Component::Kind::ball, inverse(c.blob_from_component * own),
-                length / c.radius, c.strength, c.material};
-    }
-
     /// Where the ray is within a part's reach and extent.
     void append_stretches(const Ray& ray, Range range, std::uint32_t index, Stretches& out) const {
         const Component& c = components_[index];
@@ -241,6 +241,10 @@ private:
 };
 
 }  // namespace
+
+std::function<double(Vec3d)> component_field(const scene::BlobComponent& component) {
+    return [compiled = compiled(component)](Vec3d p) { return compiled.field(p); };
+}
 
 ShapePointer make_shape(const scene::Blob& blob, const SourceLocation& where) {
     if (!(blob.threshold > 0)) refuse_shape(where, "a blob's threshold must be greater than 0");

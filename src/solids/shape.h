@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -75,6 +76,8 @@ ShapePointer make_shape(const scene::Torus& torus, const SourceLocation& where);
 ShapePointer make_shape(const scene::Polynomial& polynomial, const SourceLocation& where);
 ShapePointer make_shape(const scene::Superellipsoid& superellipsoid, const SourceLocation& where);
 ShapePointer make_shape(const scene::Blob& blob, const SourceLocation& where);
+/// The field of one component of a blob, at points of the blob's space; 0 beyond its radius.
+std::function<double(Vec3d)> component_field(const scene::BlobComponent& component);
 ShapePointer make_shape(const scene::Lathe& lathe, const SourceLocation& where);
 ShapePointer make_shape(const scene::SurfaceOfRevolution& sor, const SourceLocation& where);
 ShapePointer make_shape(const scene::Prism& prism, const SourceLocation& where);

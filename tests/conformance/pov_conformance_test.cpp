@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sundog's pictures of small POV-Ray scenes, one a feature, against those of the `povray` program, where it is
-// installed. The scenes are beside this file, under scenes/.
+// installed. The scenes are beside this file, under scenes/; under grain/ those whose randomness is Sundog's own.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -65,11 +66,13 @@ output::Image picture_of_sundog(const fs::path& file) {
     return image;
 }
 
-fs::path scenes_folder() { return fs::path(SUNDOG_SOURCE_DIR) / "tests" / "conformance" / "scenes"; }
+fs::path scenes_folder(const char* name = "scenes") {
+    return fs::path(SUNDOG_SOURCE_DIR) / "tests" / "conformance" / name;
+}
 
-std::vector<std::string> scene_names() {
+std::vector<std::string> scene_names(const char* folder = "scenes") {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(scenes_folder()))
+    for (const fs::directory_entry& entry : fs::directory_iterator(scenes_folder(folder)))
         if (entry.path().extension() == ".pov") names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -113,11 +116,68 @@ TEST_P(PovConformance, LooksAsInPovray) {
     ADD_FAILURE() << "povray's picture is " << picture << ", ours " << kept;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, PovConformance, testing::ValuesIn(scene_names()), [](const auto& info) {
+std::string test_name(const testing::TestParamInfo<std::string>& info) {
     std::string name = info.param;
     std::replace(name.begin(), name.end(), '.', '_');
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PovConformance, testing::ValuesIn(scene_names()), test_name);
+
+/// What two pictures of the same sort of noise have in common, in steps of 8-bit sRGB values.
+struct Grain {
+    double mean = 0;
+    double spread = 0;  ///< Standard deviation.
+    double step = 0;    ///< Mean difference of neighbours in a row: how fine the grain is.
+};
+
+Grain grain_of(const output::Image& image) {
+    // Of what povray's files hold, too.
+    const auto stored = [&](int x, int y) {
+        const Vec3 c = image.at(x, y);
+        double sum = 0;
+        for (const float linear : {c.x, c.y, c.z}) {
+            const double v = std::clamp(static_cast<double>(linear), 0.0, 1.0);
+            sum += v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
+        }
+        return sum * 255 / 3;
+    };
+    Grain grain;
+    double squares = 0;
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const double value = stored(x, y);
+            grain.mean += value, squares += value * value;
+            if (x > 0) grain.step += std::abs(value - stored(x - 1, y));
+        }
+    }
+    constexpr double kPixels = kWidth * kHeight;
+    grain.mean /= kPixels;
+    grain.step /= kPixels - kHeight;
+    grain.spread = std::sqrt(std::max(squares / kPixels - grain.mean * grain.mean, 0.0));
+    return grain;
+}
+
+class PovGrain : public testing::TestWithParam<std::string> {};
+
+// Catches noise that is weaker or stronger, brighter or darker, coarser or finer than in POV-Ray, or not there at all.
+TEST_P(PovGrain, IsLikePovrays) {
+    const fs::path picture = fs::path(testing::TempDir()) / ("pov_grain_" + GetParam() + ".png");
+    if (run_quietly({"povray", "--version"}) == -1) GTEST_SKIP() << "povray isn't installed";
+    const fs::path scene = scenes_folder("grain") / (GetParam() + ".pov");
+    const Grain wanted = grain_of(picture_of_povray(scene, picture));
+    const Grain found = grain_of(picture_of_sundog(scene));
+    fs::remove(picture);
+    // Ten places that waves come from don't make a mean: where they lie counts.
+    const bool few = GetParam() == "normal_ripples" || GetParam() == "normal_waves";
+    const double share = few ? 0.4 : 0.2;
+    EXPECT_GT(wanted.spread, 2) << "no grain to compare";
+    EXPECT_NEAR(found.mean, wanted.mean, 3);
+    EXPECT_NEAR(found.spread, wanted.spread, share * wanted.spread);
+    EXPECT_NEAR(found.step, wanted.step, share * wanted.step);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PovGrain, testing::ValuesIn(scene_names("grain")), test_name);
 
 }  // namespace
 }  // namespace sundog

@@ -96,6 +96,34 @@ TEST_F(Safety, PhotonsAreSavedBelowTheOutput) {
     EXPECT_EQ(render(photons("load_file \"../secret.txt\""), {"--sandbox"}).status, 1);
 }
 
+// The same of radiosity, by the scene and by the command line.
+TEST_F(Safety, RadiosityIsSavedBelowTheOutput) {
+    const auto radiosity = [](const std::string& items) {
+        return "global_settings { radiosity { count 50 " + items +
+               " } }\nplane { y, -2 pigment { rgb 1 } }\nsphere { 2*x, 0.5 pigment { rgb <1, 0.2, 0> } "
+               "finish { emission 1 } }\n";
+    };
+    fs::create_symlink(secret(), work() / "link.rca");
+    for (const fs::path& file :
+         {secret(), fs::path("../secret.txt"), fs::path("link.rca"), fs::path(".radiosity"), fs::path("/dev/null")}) {
+        SCOPED_TRACE(file.string());
+        expect_refused(render(radiosity("save_file \"" + file.string() + "\"")), "can't write to");
+        expect_refused(render(radiosity(""), {"+RF" + file.string(), "+RFO"}), "can't write to");
+    }
+    ASSERT_EQ(render(radiosity("save_file \"sub/light.rca\"")).status, 0);
+    const std::string gathered = read_bytes(work() / "a.png");
+    EXPECT_EQ(read_bytes(work() / "sub/light.rca").substr(0, 19), "sundog radiosity 1\n");
+    ASSERT_EQ(render(radiosity("load_file \"sub/light.rca\"")).status, 0);
+    EXPECT_EQ(read_bytes(work() / "a.png"), gathered);
+    ASSERT_EQ(render(radiosity(""), {"+RFlight.rca", "+RFO"}).status, 0);
+    EXPECT_EQ(read_bytes(work() / "light.rca"), read_bytes(work() / "sub/light.rca"));
+    // Loaded light counts, whatever would be gathered now.
+    ASSERT_EQ(render(radiosity("brightness 3"), {"+RFlight.rca", "+RFI"}).status, 0);
+    EXPECT_EQ(read_bytes(work() / "a.png"), gathered);
+    EXPECT_NE(render(radiosity("load_file \"/dev/zero\"")).status, 0);
+    EXPECT_EQ(render(radiosity("load_file \"../secret.txt\""), {"--sandbox"}).status, 1);
+}
+
 // Catches INI files whose picture, texts or INI file go where the command line didn't send them.
 TEST_F(Safety, IniFilesCannotWriteElsewhere) {
     for (const std::string& line : std::vector<std::string>{

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "scenes/media_builder.h"
 
@@ -81,6 +82,43 @@ TEST_F(MediaScene, TheSecondMethodStepsEvenly) {
     medium.samples = medium.samples_most = 4;
     add_box(2, 3, clear_material({medium}));
     EXPECT_NEAR(middle(), 0.3152F, 1e-4F);
+}
+
+// Random samples of the first way: as many as povray takes (by its statistics) until the variance of light that grows
+// from 0 to 1 is small enough, all of them where it never is, and the least where all are the same. Catches samples
+// that end too soon, or don't end; a mean over another number than was taken.
+TEST_F(MediaScene, TheFirstMethodSamplesUntilItIsSure) {
+    scene_.sky = {0, 0, 0};
+    scene_.projection_camera.emplace();
+    scene_.projection_camera->kind = scene::ProjectionCamera::Kind::orthographic;
+    scene_.projection_camera->direction = {0, 1, 0};
+    scene_.projection_camera->up = {0, 0, 1};
+    add_light(scene_, scene::Light::Kind::sun, {0, 0, 1});
+    constexpr int kSide = 32;
+    const auto sampled = [&](float variance, bool varies) {
+        scene::Medium medium;
+        medium.scattering = {1, 1, 1};
+        medium.extinction = 0;
+        medium.method = 1;
+        medium.samples = 4, medium.samples_most = 200;
+        medium.variance = variance;
+        auto density = std::make_shared<scene::Pigment>();
+        density->kind = scene::Pigment::Kind::mapped;
+        density->pattern.axis = {0, 1, 0};
+        density->entries = {{0, {varies ? 0.0F : 0.5F, 0.5F, 0.5F, 0, 0}, {}},
+                            {1, {varies ? 1.0F : 0.5F, 0.5F, 0.5F, 0, 0}, {}}};
+        medium.densities.push_back(density);
+        scene_.objects.clear();
+        add_box(2, 3, clear_material({medium}));
+        const Picture picture = render_on(*make_cpu_device({.threads = 2}), scene_, size(kSide, kSide));
+        for (int i = 0; i < kSide; ++i) EXPECT_NEAR(picture.film.mean(i, i).x, 0.5F, 0.05F) << variance;
+        return static_cast<double>(picture.stats.shadow_rays) / (kSide * kSide);
+    };
+    EXPECT_NEAR(sampled(0.08F, true), 17.1, 2);
+    EXPECT_NEAR(sampled(0.0078125F, true), 49.4, 5);
+    EXPECT_NEAR(sampled(0.001F, true), 130.8, 13);
+    EXPECT_EQ(sampled(0.00001F, true), 201);
+    EXPECT_EQ(sampled(0.001F, false), 4);
 }
 
 // Scattering types' shares of light that comes back at 180 degrees, at 90 and at 0, as povray's pictures have them.

@@ -136,5 +136,64 @@ TEST_F(RadiosityScene, ItsLightIsAdjusted) {
     EXPECT_NEAR(floor_light().x, 0.25F * 0.5F / 0.75F, 1e-5F);
 }
 
+// Fog of distance D before a sky that glows with e lets e exp(-r/D) of it through from r away, if radiosity sees it.
+// Catches fog that is left out, or that is there though `media` is off.
+TEST_F(RadiosityScene, FogDimsWhatIsGathered) {
+    const scene::Index dome = add_material(scene_, surface({0, 0, 0}, {0.8F, 0.8F, 0.8F}));
+    const scene::Index dot = add_material(scene_, surface({1, 1, 1}));
+    add_shape(scene_, scene::Sphere{{0, 0, 0}, 20}, dome);
+    // Small in the dome's middle: all of that is 20 away, whatever side is lit.
+    add_shape(scene_, scene::Sphere{{0, 0.2F, 0}, 0.05F}, dot);
+    scene::Fog fog;
+    fog.distance = 40;
+    scene_.fogs.push_back(fog);
+    const auto light = [&] { return picture().mean(32, 24).x; };
+    EXPECT_NEAR(light(), 0.8F, 0.01F);
+    scene_.radiosity->media = true;
+    EXPECT_NEAR(light(), 0.8F * std::exp(-0.5F), 0.01F);
+}
+
+// Coarse passes take one sample where many are asked for; with always_sample the picture's own pass takes the rest, and
+// errors fall. Catches a switch without effect.
+TEST_F(RadiosityScene, AlwaysSampleTakesMore) {
+    add_corner(100);
+    scene_.radiosity->error_bound = 0.5F;
+    scene_.radiosity->nearest_count = 12;
+    scene_.radiosity->pretrace_start = scene_.radiosity->pretrace_end = 0.25F;
+    const auto rays = [&](bool always) {
+        scene_.radiosity->always_sample = always;
+        return render_on(*make_cpu_device({.threads = 2}), scene_, size(64, 48)).stats.rays;
+    };
+    EXPECT_GT(rays(true), 2 * rays(false));
+}
+
+/// Keeps samples in memory.
+class KeptRadiosity final : public RadiosityStore {
+public:
+    void keep(const StoredRadiosity& samples) const override { *samples_ = samples; }
+    [[nodiscard]] std::shared_ptr<const StoredRadiosity> samples() const { return samples_; }
+
+private:
+    std::shared_ptr<StoredRadiosity> samples_ = std::make_shared<StoredRadiosity>();
+};
+
+// What one picture gathered makes the same picture again, to the bit, with the eye's rays alone; more than the scene's
+// bounces are of no use. Catches samples that are lost on the way, or gathered though they are known.
+TEST_F(RadiosityScene, LoadedSamplesMakeTheSamePicture) {
+    add_corner(60);
+    scene_.radiosity->recursion_limit = 3;
+    const auto kept = std::make_shared<const KeptRadiosity>();
+    scene_.radiosity->store = kept;
+    const Picture gathered = render_on(*make_cpu_device({.threads = 2}), scene_, size(64, 48));
+    ASSERT_GT(kept->samples()->size(), 20U);
+    scene_.radiosity->store = nullptr;
+    scene_.radiosity->loaded = kept->samples();
+    const Picture loaded = render_on(*make_cpu_device({.threads = 3}), scene_, size(64, 48));
+    EXPECT_TRUE(loaded.film.radiance == gathered.film.radiance);
+    EXPECT_LT(loaded.stats.rays, gathered.stats.rays / 4);
+    scene_.radiosity->recursion_limit = 1;
+    EXPECT_TRUE(render_on(*make_cpu_device({}), scene_, size(64, 48)).film.radiance == gathered.film.radiance);
+}
+
 }  // namespace
 }  // namespace sundog

@@ -201,6 +201,8 @@ private:
         options.access.writable.emplace_back(file == "-" || file.parent_path().empty() ? fs::path(".")
                                                                                        : file.parent_path());
         for (const std::string& folder : settings_.allow_write) options.access.writable.emplace_back(folder);
+        options.radiosity_file = {settings_.radiosity_file, settings_.radiosity_from_file, settings_.radiosity_to_file};
+        if (options.radiosity_file.name.empty()) options.radiosity_file.name = scene_file_.stem().string() + ".rca";
         options.print = [this](pov::PovStream stream, std::string_view text) {
             constexpr PovText kStreams[] = {PovText::debug, PovText::render, PovText::statistic, PovText::warning};
             text_.write(kStreams[static_cast<std::size_t>(stream)], text);

@@ -51,7 +51,9 @@ struct PovSettings {
     std::optional<double> start_column, end_column, start_row, end_row;
     bool antialias = false;
     double antialias_threshold = 0.3;
-    int antialias_depth = 3;  ///< 1 to 9
+    int antialias_depth = 3;     ///< 1 to 9
+    std::string radiosity_file;  ///< Empty: the scene's name with .rca.
+    bool radiosity_from_file = false, radiosity_to_file = false;
     int sampling_method = 1;
     bool jitter = true;
     double jitter_amount = 1;

@@ -297,7 +297,14 @@ private:
         kernel::SceneView view = cpu::view_of(*scene_, kept, traversal().handle());
         if (photons_) view.photons = photons_->photons.get();
         radiosity_->radiosity = std::make_unique<cpu::Radiosity>(kept, view, rays_);
-        if (!radiosity_->radiosity->prepare(stop)) {
+        bool done = false;
+        try {
+            done = radiosity_->radiosity->prepare(stop);
+        } catch (...) {
+            radiosity_.reset();
+            throw;
+        }
+        if (!done) {
             radiosity_.reset();
             totals.complete = false;
             return false;

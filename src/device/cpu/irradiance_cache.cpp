@@ -21,14 +21,6 @@ std::int64_t cell_of(float coordinate, double per_length) {
 
 }  // namespace
 
-void IrradianceSample::limit_gradients() {
-    const std::array<float, 3> channels{light.x, light.y, light.z};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const float most = length(by_move[i]) * reach;
-        if (most > channels[i]) by_move[i] *= std::max(channels[i], 0.0F) / most;
-    }
-}
-
 IrradianceCache::IrradianceCache(float error_bound) : error_bound_(error_bound), slots_(kFewestSlots) {}
 
 std::uint64_t IrradianceCache::key_of(const Grid& grid, std::int64_t x, std::int64_t y, std::int64_t z) {

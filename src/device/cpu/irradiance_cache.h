@@ -3,27 +3,12 @@
 // Diffuse Interreflection, SIGGRAPH 1988).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "base/vec.h"
+#include "base/irradiance.h"
 
 namespace sundog::cpu {
-
-/// Light that arrives at a point, as what a white surface there sends back of it (irradiance over pi).
-struct IrradianceSample {
-    Vec3 position;
-    Vec3 normal;      ///< Unit; the side on which the light arrives.
-    Vec3 light;       ///< Linear RGB.
-    float reach = 0;  ///< Distance at which the estimated error is 1: mean distance of what sends the light.
-    /// How `light` changes as the point moves, and as the normal turns about an axis; one vector a channel (Ward and
-    /// Heckbert, Irradiance Gradients, Eurographics Workshop on Rendering 1992).
-    std::array<Vec3, 3> by_move{}, by_turn{};
-
-    /// Keeps what the gradients say of points within the reach from going beyond the light itself.
-    void limit_gradients();
-};
 
 /// What is asked of a cache.
 struct IrradianceLookup {
@@ -44,6 +29,7 @@ public:
     /// True if there are at least `count` of them.
     [[nodiscard]] bool has(int count, Vec3 position, Vec3 normal, float bound) const;
     [[nodiscard]] std::size_t size() const { return samples_.size(); }
+    [[nodiscard]] const std::vector<IrradianceSample>& samples() const { return samples_; }
 
 private:
     /// What tells whether a sample is near, side by side with others of its cell.

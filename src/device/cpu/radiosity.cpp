@@ -127,7 +127,8 @@ float Radiosity::error_bound(int bounce) const {
 
 bool Radiosity::is_covered(const GatherPoint& point, int bounce, Task task) const {
     // One sample is enough for further bounces, and for what passes over the picture have left out.
-    const bool needs_all = task == Task::draw ? settings_.always_sample : bounce == 0;
+    // Where some is loaded, passes have been over the picture already.
+    const bool needs_all = !settings_.loaded && (task == Task::draw ? settings_.always_sample : bounce == 0);
     return caches_[static_cast<std::size_t>(bounce)].has(needs_all ? settings_.nearest_count : 1, point.position,
                                                          point.normal,
                                                          error_bound(bounce) * settings_.low_error_factor);
@@ -258,7 +259,23 @@ void Radiosity::fill(std::vector<GatherPoint> wanted, int bounce, Task task, con
     }
 }
 
+void Radiosity::take_loaded() {
+    if (!settings_.loaded) return;
+    for (const StoredIrradiance& stored : *settings_.loaded)
+        if (stored.bounce < caches_.size()) caches_[stored.bounce].add(stored.sample);
+}
+
+void Radiosity::keep_all() const {
+    if (!settings_.store) return;
+    StoredRadiosity all;
+    for (std::size_t bounce = 0; bounce < caches_.size(); ++bounce)
+        for (const IrradianceSample& sample : caches_[bounce].samples())
+            all.push_back({sample, static_cast<std::uint32_t>(bounce)});
+    settings_.store->keep(all);
+}
+
 bool Radiosity::prepare(const StopFlag& stop) {
+    take_loaded();
     const auto width = static_cast<float>(scene_.frame.width);
     const float finest = std::max(std::sqrt(width * static_cast<float>(scene_.frame.height) / kMostPoints), 1.0F);
     const float last = std::max(settings_.pretrace_end * width, finest);
@@ -269,7 +286,9 @@ bool Radiosity::prepare(const StopFlag& stop) {
     // Samples reach as far as a share of the picture's width, so a large picture's pixels needn't all be asked.
     const float fine = std::max(std::floor(width / kFineColumns), 1.0F);
     if (!stop.requested()) fill(gaps_of_picture(fine, 0.5F, Task::draw), 0, Task::draw, stop);
-    return !stop.requested();
+    if (stop.requested()) return false;
+    keep_all();
+    return true;
 }
 
 }  // namespace sundog::cpu

@@ -35,7 +35,8 @@ public:
     /// `frame` has radiosity, `scene` is its view (without indirect light); both outlive this.
     Radiosity(const Frame& frame, const kernel::SceneView& scene, RayKernel trace);
 
-    /// Gathers. False if it was stopped: then it must not be used.
+    /// Gathers, from what is loaded on, and keeps it all where it is to be kept. False if it was stopped: then it must
+    /// not be used. Errors: those of the store.
     bool prepare(const StopFlag& stop);
     /// What the picture's rays ask.
     [[nodiscard]] const kernel::IndirectLight& light() const;
@@ -60,6 +61,8 @@ private:
     [[nodiscard]] BatchRay eye_ray(float x, float y) const;
     /// Points of surfaces that pixels `step` apart see, and that aren't covered.
     [[nodiscard]] std::vector<GatherPoint> gaps_of_picture(float step, float shift, Task task);
+    void take_loaded();
+    void keep_all() const;
     void fill(std::vector<GatherPoint> wanted, int bounce, Task task, const StopFlag& stop);
     template <class Function>
     void for_each(std::size_t count, const Function& function);

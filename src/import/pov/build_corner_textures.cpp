@@ -2,6 +2,9 @@
 #include "import/pov/build_corner_textures.h"
 
 #include <algorithm>
+#include <vector>
+
+#include "import/pov/build_texture_map.h"
 
 namespace sundog::pov {
 namespace {
@@ -12,6 +15,21 @@ using scene::PigmentColor;
 bool is_plain(const TexturePointer& texture) {
     return texture->layers.size() == 1 && texture->layers[0].pigment->kind == Pigment::Kind::solid;
 }
+
+bool shine_alike(const TexturePointer& a, const TexturePointer& b) {
+    return !a->layers[0].normal && !b->layers[0].normal && same_finishes(a->layers[0].finish, b->layers[0].finish);
+}
+
+/// Linear in the point, between 0 and 1.
+class CornerShare final : public scene::ShareOfPoint {
+public:
+    void add(Vec3d slope, double constant) { slope_ = slope_ + slope, constant_ += constant; }
+    [[nodiscard]] double at(Vec3d point) const override { return std::clamp(dot(slope_, point) + constant_, 0.0, 1.0); }
+
+private:
+    Vec3d slope_;
+    double constant_ = 0;
+};
 
 PigmentColor color_of(const TexturePointer& texture) { return texture->layers[0].pigment->color; }
 
@@ -33,8 +51,34 @@ Pigment along(Vec3d axis, const SourceLocation& where) {
 
 }  // namespace
 
+TexturePointer blended_between(const CornerTextures& corners, const std::array<Vec3d, 3>& positions,
+                               const SourceLocation& where) {
+    const Vec3d normal = cross(positions[1] - positions[0], positions[2] - positions[0]);
+    const double area = dot(normal, normal);
+    if (!(area > 0)) return nullptr;
+    std::vector<std::shared_ptr<CornerShare>> shares;
+    std::vector<SharedTexture> textures;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto known = std::find_if(textures.begin(), textures.end(),
+                                        [&](const SharedTexture& t) { return t.texture == corners[i]; });
+        const auto number = static_cast<std::size_t>(known - textures.begin());
+        if (known == textures.end()) {
+            shares.push_back(std::make_shared<CornerShare>());
+            textures.push_back({shares.back(), corners[i]});
+        }
+        // From 0 at the opposite side to 1 at the corner.
+        const Vec3d begin = positions[(i + 1) % 3];
+        const Vec3d slope = cross(normal, positions[(i + 2) % 3] - begin) / area;
+        shares[number]->add(slope, -dot(slope, begin));
+    }
+    auto blended = textures_by_shares(textures, where);
+    return blended ? std::make_shared<const scene::LayeredTexture>(*std::move(blended)) : nullptr;
+}
+
 TexturePointer CornerBlender::blended(const CornerTextures& corners) {
-    if (!std::all_of(corners.begin(), corners.end(), is_plain)) return nullptr;
+    if (!std::all_of(corners.begin(), corners.end(), is_plain) || !shine_alike(corners[0], corners[1]) ||
+        !shine_alike(corners[0], corners[2]))
+        return nullptr;
     const auto [place, is_new] = known_.try_emplace(corners, nullptr);
     if (!is_new) return place->second;
     const PigmentColor a = color_of(corners[0]);

@@ -15,11 +15,16 @@ using CornerTextures = std::array<TexturePointer, 3>;
 /// The uv coordinates of a triangle's corners that blended textures are made for.
 inline constexpr std::array<Vec2, 3> kCornerUvs{{{0, 0}, {0.5F, 0}, {0, 0.5F}}};
 
+/// The texture of one triangle, whatever its corners' are: each by its share of where a point lies between the corners,
+/// which are in the mesh's space. Null where these are more than can be drawn side by side, or lie in a line.
+TexturePointer blended_between(const CornerTextures& corners, const std::array<Vec3d, 3>& positions,
+                               const SourceLocation& where);
+
 /// Makes a texture for each set of three, and keeps it.
 class CornerBlender {
 public:
     /// One texture that has each corner's colour there and blends in between, by uv coordinates of kCornerUvs. The
-    /// finish is the first corner's. Null where a corner's texture is no plain colour.
+    /// finish is the corners'. Null where a corner's texture is no plain colour, or their finishes differ.
     TexturePointer blended(const CornerTextures& corners);
 
 private:

@@ -72,32 +72,6 @@ scene::Polynomial read_terms(ItemReader& items, int order) {
     return result;
 }
 
-/// A blob's component: `sphere { … }` or `cylinder { … }`.
-scene::BlobComponent read_component(ObjectReader& objects, const Block& block) {
-    ItemReader items(objects.context(), block);
-    scene::BlobComponent component;
-    component.is_cylinder = block.keyword == Keyword::cylinder;
-    component.center = items.vector("the center of a component");
-    component.end = component.is_cylinder ? items.vector("the other end of a component") : component.center;
-    component.radius = items.number("the radius of a component");
-    items.take(Keyword::strength);
-    component.strength = items.number("the strength of a component");
-    while (!items.at_end()) {
-        if (read_transform(items, component.blob_from_component)) continue;
-        if (items.take_block(Keyword::texture) || items.take_block(Keyword::pigment) ||
-            items.take_block(Keyword::finish) || items.take_block(Keyword::normal)) {
-            objects.context().warn_once("blob component texture", items.taken_where(),
-                                        "textures of a blob's components aren't drawn yet",
-                                        "they get the blob's texture");
-            continue;
-        }
-        static constexpr std::array kValid{Keyword::texture, Keyword::pigment,   Keyword::normal, Keyword::finish,
-                                           Keyword::rotate,  Keyword::translate, Keyword::scale,  Keyword::matrix};
-        items.unexpected(kValid);
-    }
-    return component;
-}
-
 }  // namespace
 
 NodeShape read_polynomial(ItemReader& items, Keyword keyword) {
@@ -121,33 +95,6 @@ NodeShape read_quadric(ItemReader& items) {
     add(1, 0, 0, linear.x), add(0, 1, 0, linear.y), add(0, 0, 1, linear.z);
     add(0, 0, 0, constant);
     return quadric;
-}
-
-NodeShape read_blob(ObjectReader& objects, ItemReader& items) {
-    scene::Blob blob;
-    while (!items.at_end()) {
-        if (const auto sphere = items.take_block(Keyword::sphere)) {
-            blob.components.push_back(read_component(objects, *sphere));
-        } else if (const auto cylinder = items.take_block(Keyword::cylinder)) {
-            blob.components.push_back(read_component(objects, *cylinder));
-        } else if (items.take(Keyword::threshold)) {
-            blob.threshold = items.number("a threshold");
-        } else if (items.take(Keyword::component)) {
-            scene::BlobComponent component;
-            component.strength = items.number("the strength of a component");
-            component.radius = items.number("the radius of a component");
-            component.center = items.vector("the center of a component");
-            component.end = component.center;
-            blob.components.push_back(component);
-        } else if (!items.take(Keyword::sturm) && !items.take(Keyword::hierarchy)) {
-            break;
-        } else {
-            items.flag();
-        }
-    }
-    if (!blob.components.empty()) return blob;
-    items.warn("a blob without components; left out");
-    return {};
 }
 
 NodeShape read_lathe(ItemReader& items) {

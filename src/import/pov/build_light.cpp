@@ -2,6 +2,7 @@
 // Lights (POV-Ray reference, section 3.4.4.1 "Light Source").
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "import/pov/build_photons.h"
 #include "import/pov/build_shape.h"
@@ -196,6 +197,17 @@ private:
         }
     }
 
+    /// What turns to each point it lights is round, and as high as it is wide (reference 3.4.4.1.5).
+    void settle_orient(scene::LightArea& area) {
+        if (!area.circular) items_.warn("orient is for circular area lights: this one is circular now");
+        area.circular = true;
+        const float first = length(area.axis1), second = length(area.axis2);
+        if (std::abs(first - second) > 1e-6F * first)
+            items_.warn("an area light with orient is as long along its second axis as along its first");
+        // Of the second axis the length alone is asked for.
+        area.axis2 = second > 0 ? area.axis2 * (first / second) : area.axis1;
+    }
+
     static void place_node(Node& node, const Affine3d& placed) {
         node.parent_from_shape = placed * node.parent_from_shape;
         node.parent_from_interior = placed * node.parent_from_interior;
@@ -214,6 +226,7 @@ private:
             light.kind = scene::Light::Kind::sun;
             if (light.place == light.point_at) light.place = light.point_at + Vec3{0, 1, 0};
         }
+        if (light.area && light.area->orient) settle_orient(*light.area);
         if (!looks_like_) return;
         looks_like_->no_shadow = true;
         result_.looks_like = std::make_shared<const Node>(std::move(*looks_like_));

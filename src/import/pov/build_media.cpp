@@ -136,8 +136,10 @@ private:
             medium_.ratio = static_cast<float>(items_.number("a ratio"));
         } else if (items_.take(Keyword::collect)) {
             medium_.collects_photons = items_.flag();
-        } else if (items_.take(Keyword::confidence) || items_.take(Keyword::variance)) {
-            items_.maybe_number();  // When there are enough random samples: the number here is fixed.
+        } else if (items_.take(Keyword::confidence)) {
+            medium_.confidence = static_cast<float>(items_.number("a confidence"));
+        } else if (items_.take(Keyword::variance)) {
+            medium_.variance = static_cast<float>(items_.number("a variance"));
         } else {
             return false;
         }

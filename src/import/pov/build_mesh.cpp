@@ -72,8 +72,18 @@ public:
             blended_.push_back(mesh_.triangles.triangles.size() - 1);
             return;
         }
+        // Each of these triangles has a texture of its own.
+        constexpr std::size_t kMost = 100'000;
+        const auto corner = [&](std::size_t i) { return to_double(mesh_.triangles.positions[triangle.position[i]]); };
+        if (between_++ < kMost) {
+            const SourceLocation where = objects_.context().location(items.taken_where());
+            if (const TexturePointer blended = blended_between(corners, {corner(0), corner(1), corner(2)}, where)) {
+                triangle.material = texture(blended);
+                return;
+            }
+        }
         objects_.context().warn_once("triangle texture blending", items.taken_where(),
-                                     "patterns that blend between a triangle's corners aren't drawn yet; colors are",
+                                     "more textures between the corners of triangles than can be drawn",
                                      "the first corner's texture covers the triangle");
     }
 
@@ -103,6 +113,7 @@ private:
     NodeMesh mesh_;
     CornerBlender blender_;
     std::vector<std::size_t> blended_;  ///< Triangles whose textures blend between their corners.
+    std::size_t between_ = 0;           ///< Triangles with a texture of their own.
     std::map<TexturePointer, std::uint32_t> indices_;
 };
 

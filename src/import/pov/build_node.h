@@ -30,6 +30,12 @@ struct NodeMesh {
     std::vector<TexturePointer> textures;  ///< In the mesh's own space.
 };
 
+/// A blob whose components may have textures, in the blob's space; null: the blob's.
+struct NodeBlob {
+    scene::Blob blob;
+    std::vector<TexturePointer> textures;  ///< As many as components, or none.
+};
+
 /// A light among objects, in its own space until it is placed.
 struct NodeLight {
     scene::Light light;
@@ -46,7 +52,7 @@ struct NodeGroup {
 
 using NodeShape =
     std::variant<std::monostate, scene::SolidSphere, scene::SolidBox, scene::SolidCone, scene::HalfSpace, scene::Torus,
-                 scene::Polynomial, scene::Superellipsoid, scene::Blob, scene::Lathe, scene::SurfaceOfRevolution,
+                 scene::Polynomial, scene::Superellipsoid, NodeBlob, scene::Lathe, scene::SurfaceOfRevolution,
                  scene::Prism, scene::SphereSweep, scene::HeightField, scene::Disc, scene::FlatPolygon,
                  scene::Isosurface, scene::JuliaFractal, scene::Ovus, scene::Lemon, scene::Parametric,
                  std::shared_ptr<const NodeMesh>, NodeGroup, std::shared_ptr<const NodeLight>>;

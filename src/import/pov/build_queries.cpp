@@ -4,20 +4,9 @@
 #include <algorithm>
 
 #include "import/pov/build_pigment.h"
+#include "import/pov/solid_test.h"
 
 namespace sundog::pov {
-namespace {
-
-class SolidTest final : public scene::InsideTest {
-public:
-    explicit SolidTest(std::shared_ptr<const solids::CompiledSolid> solid) : solid_(std::move(solid)) {}
-    [[nodiscard]] bool inside(Vec3d point) const override { return solid_->inside(point); }
-
-private:
-    std::shared_ptr<const solids::CompiledSolid> solid_;
-};
-
-}  // namespace
 
 std::shared_ptr<const scene::InsideTest> ObjectQueries::inside_test(const std::shared_ptr<const Block>& object) {
     auto solid = compiled(object);

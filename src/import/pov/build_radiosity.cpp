@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "import/pov/radiosity_file.h"
+
 namespace sundog::pov {
 namespace {
 
@@ -12,20 +14,21 @@ constexpr std::array kItems{
     Keyword::error_bound,   Keyword::gray_threshold, Keyword::low_error_factor, Keyword::max_sample,
     Keyword::maximum_reuse, Keyword::media,          Keyword::minimum_reuse,    Keyword::nearest_count,
     Keyword::normal,        Keyword::pretrace_end,   Keyword::pretrace_start,   Keyword::recursion_limit,
-    Keyword::subsurface,    Keyword::importance};
+    Keyword::subsurface,    Keyword::importance,     Keyword::save_file,        Keyword::load_file};
 
 /// Reads the items of one block.
 class RadiosityReader {
 public:
     RadiosityReader(BuildContext& context, const Block& block, scene::Radiosity start)
-        : items_(context, block), settings_(std::move(start)) {
+        : context_(context), items_(context, block), settings_(std::move(start)) {
         settings_.where = context.location(block.where);
         settings_.keeps_ambient = block.version < 370;
     }
 
     scene::Radiosity read() {
         while (!items_.at_end())
-            if (!read_counts() && !read_errors() && !read_light() && !read_switch()) items_.unexpected(kItems);
+            if (!read_counts() && !read_errors() && !read_light() && !read_switch() && !read_file())
+                items_.unexpected(kItems);
         settle_reuse();
         return settings_;
     }
@@ -116,6 +119,19 @@ private:
         return true;
     }
 
+    bool read_file() {
+        if (items_.take(Keyword::load_file)) {
+            const std::string name = items_.text("the name of a file of radiosity");
+            settings_.loaded = load_radiosity(context_, name, items_.taken_where());
+        } else if (items_.take(Keyword::save_file)) {
+            const std::string name = items_.text("the name of a file of radiosity");
+            settings_.store = radiosity_store(context_, name, items_.taken_where());
+        } else {
+            return false;
+        }
+        return true;
+    }
+
     /// Of the two limits of reuse the one that isn't written gives way (reference 3.4.4.3.3.9).
     void settle_reuse() {
         if (settings_.minimum_reuse >= settings_.maximum_reuse && minimum_written_ && maximum_written_)
@@ -129,6 +145,7 @@ private:
         items_.warn("minimum_reuse is over half of maximum_reuse");
     }
 
+    BuildContext& context_;
     ItemReader items_;
     scene::Radiosity settings_;
     bool minimum_written_ = false, maximum_written_ = false;
@@ -138,6 +155,17 @@ private:
 
 scene::Radiosity read_radiosity(BuildContext& context, const Block& block, scene::Radiosity start) {
     return RadiosityReader(context, block, std::move(start)).read();
+}
+
+void use_radiosity_file(BuildContext& context) {
+    const PovRadiosityFile& file = context.options.radiosity_file;
+    if (!context.scene.radiosity || (!file.load && !file.save)) return;
+    // Of the scene as a whole: no place in it says so.
+    const Place nowhere{};
+    if (file.load && context.find_file(file.name, nowhere).empty())
+        context.warn(nowhere, "there is no file of radiosity " + in_quotes(file.name) + " yet", "all is gathered anew");
+    else if (file.load) context.scene.radiosity->loaded = load_radiosity(context, file.name, nowhere);
+    if (file.save) context.scene.radiosity->store = radiosity_store(context, file.name, nowhere);
 }
 
 void read_importance(BuildContext& context, const Block& block) {

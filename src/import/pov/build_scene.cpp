@@ -8,6 +8,7 @@
 #include "import/pov/build_camera.h"
 #include "import/pov/build_materials.h"
 #include "import/pov/build_media.h"
+#include "import/pov/build_radiosity.h"
 
 namespace sundog::pov {
 
@@ -69,6 +70,7 @@ void SceneBuilder::finish() {
     constexpr float kAdcBailout = 1.0F / 255;  // POV-Ray's default
     constexpr int kMaxTraceLevel = 5;
     if (!scene.settings.min_weight) scene.settings.min_weight = kAdcBailout;
+    use_radiosity_file(context_);
     if (!scene.settings.max_depth) scene.settings.max_depth = kMaxTraceLevel - 1;
 }
 

@@ -112,6 +112,18 @@ TEST(BuildLight, AreaAndSpotMoveWithTheLight) {
     EXPECT_FLOAT_EQ(light.falloff, 20);
 }
 
+// Areas that turn to what they light: povray makes them round and square, and says so. Catches sides that stay as they
+// are written, and words about lights that need none.
+TEST(BuildLight, AreasThatTurnAreRoundAndAsHighAsWide) {
+    const BuiltScene built = build("light_source { y, rgb 1 area_light 3*x, 0.5*z, 3, 3 orient }");
+    EXPECT_EQ(built.warnings.size(), 2U);
+    const scene::LightArea& area = *built.scene.lights.at(0).area;
+    EXPECT_TRUE(area.circular);
+    EXPECT_FLOAT_EQ(length(area.axis1), 3);
+    EXPECT_FLOAT_EQ(length(area.axis2), 3);
+    EXPECT_TRUE(build("light_source { y, rgb 1 area_light 3*x, 3*z, 3, 3 circular orient }").warnings.empty());
+}
+
 /// Which of the scene's lights reach an object.
 std::vector<bool> lights_of(const scene::Scene& scene, std::size_t object) {
     const std::uint32_t number = scene.materials.at(scene.objects.at(object).material).patterned->light_set;

@@ -215,8 +215,8 @@ bool read_shape_item(ItemReader& items, const Block& block, NodeShape& shape) {
             return true;
         }
     }
-    if (auto* blob = std::get_if<scene::Blob>(&shape); blob && items.take(Keyword::threshold)) {
-        blob->threshold = items.number("a threshold");
+    if (auto* blob = std::get_if<NodeBlob>(&shape); blob && items.take(Keyword::threshold)) {
+        blob->blob.threshold = items.number("a threshold");
         return true;
     }
     return false;

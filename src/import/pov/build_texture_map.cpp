@@ -15,18 +15,6 @@ using scene::Finish;
 /// As many as devices draw (kernel::MAX_LAYERS); more are blended.
 constexpr std::size_t kMostLayers = 8;
 
-bool same(const Finish& a, const Finish& b) {
-    return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
-           a.diffuse_back == b.diffuse_back && a.brilliance == b.brilliance && a.phong == b.phong &&
-           a.phong_size == b.phong_size && a.specular == b.specular && a.roughness == b.roughness &&
-           a.metallic == b.metallic && a.reflection_min == b.reflection_min && a.reflection_max == b.reflection_max &&
-           a.reflection_falloff == b.reflection_falloff && a.reflection_exponent == b.reflection_exponent &&
-           a.reflection_metallic == b.reflection_metallic && a.reflection_fresnel == b.reflection_fresnel &&
-           a.conserve_energy == b.conserve_energy && a.crand == b.crand && a.irid == b.irid &&
-           a.irid_thickness == b.irid_thickness && a.irid_turbulence == b.irid_turbulence &&
-           a.translucency == b.translucency;
-}
-
 Finish mean(const std::vector<Finish>& finishes) {
     Finish result = finishes.front();
     const float share = 1 / static_cast<float>(finishes.size());
@@ -139,7 +127,7 @@ scene::LayeredTexture blend_textures(BuildContext& context, Place where, const s
         layer_count += entry.texture->layers.size();
         can_be_parts = can_be_parts && can_be_part(*entry.texture);
         for (const scene::TextureLayer& layer : entry.texture->layers) {
-            finishes_equal = finishes_equal && same(layer.finish, finish) && !layer.share;
+            finishes_equal = finishes_equal && same_finishes(layer.finish, finish) && !layer.share;
             any_normal = any_normal || layer.normal;
         }
     }
@@ -155,6 +143,44 @@ scene::LayeredTexture blend_textures(BuildContext& context, Place where, const s
     if (!parts) return blended;
     scene::LayeredTexture result = textures_side_by_side(context, where, pattern, entries);
     result.blended = std::make_shared<const scene::LayeredTexture>(std::move(blended));
+    return result;
+}
+
+bool same_finishes(const Finish& a, const Finish& b) {
+    return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
+           a.diffuse_back == b.diffuse_back && a.brilliance == b.brilliance && a.phong == b.phong &&
+           a.phong_size == b.phong_size && a.specular == b.specular && a.roughness == b.roughness &&
+           a.metallic == b.metallic && a.reflection_min == b.reflection_min && a.reflection_max == b.reflection_max &&
+           a.reflection_falloff == b.reflection_falloff && a.reflection_exponent == b.reflection_exponent &&
+           a.reflection_metallic == b.reflection_metallic && a.reflection_fresnel == b.reflection_fresnel &&
+           a.conserve_energy == b.conserve_energy && a.crand == b.crand && a.irid == b.irid &&
+           a.irid_thickness == b.irid_thickness && a.irid_turbulence == b.irid_turbulence &&
+           a.translucency == b.translucency;
+}
+
+std::optional<scene::LayeredTexture> textures_by_shares(const std::vector<SharedTexture>& textures,
+                                                        const SourceLocation& where) {
+    scene::LayeredTexture result;
+    for (const SharedTexture& part : textures) {
+        if (!can_be_part(*part.texture)) return std::nullopt;
+        std::vector<scene::TextureLayer> layers = part.texture->layers;
+        const bool has_parts = layers.back().share != nullptr;
+        for (scene::TextureLayer& layer : layers) {
+            layer.first_part = layer.parts_end = false;
+            if (has_parts ? !layer.share : &layer != &layers.back()) continue;
+            auto share = std::make_shared<scene::Pigment>();
+            share->where = where;
+            share->kind = scene::Pigment::Kind::mapped;
+            share->pattern.kind = scene::Pattern::Kind::share;
+            share->pattern.share = part.share;
+            share->entries = {{0, {0, 0, 0, 0, 0}, nullptr}, {1, {1, 1, 1, 0, 0}, layer.share}};
+            layer.share = std::move(share);
+        }
+        for (scene::TextureLayer& layer : layers) result.layers.push_back(std::move(layer));
+    }
+    if (result.layers.empty() || result.layers.size() > kMostLayers) return std::nullopt;
+    result.layers.front().parts_end = true;
+    result.layers.back().first_part = true;
     return result;
 }
 

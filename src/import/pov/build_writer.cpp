@@ -7,6 +7,9 @@
 #include <string>
 #include <type_traits>
 
+#include "import/pov/build_part_textures.h"
+#include "import/pov/solid_test.h"
+
 namespace sundog::pov {
 namespace {
 
@@ -133,7 +136,31 @@ std::uint32_t SceneWriter::number_of(const scene::LightSet& lights) {
     return known->second;
 }
 
-Index SceneWriter::material_of(const Surroundings& inside) {
+Index SceneWriter::blob_material(const NodeBlob& blob, const Surroundings& inside, Place where) {
+    auto own = std::make_shared<scene::LayeredTexture>(inside.texture ? *inside.texture : *inside.fallback);
+    if (inside.texture) move_texture(*own, inverse(inside.world_from_texture) * inside.world_from_parent);
+    std::optional<scene::LayeredTexture> blended = blob_texture(blob, own, context_.location(where));
+    if (!blended) {
+        context_.warn_once("blob component texture", where, "a blob with more textures than can be blended",
+                           "the texture of the component that is strongest shows");
+        return materials_.of(own, inside.world_from_parent, inside.interior);
+    }
+    return materials_.of(std::make_shared<const scene::LayeredTexture>(*std::move(blended)), inside.world_from_parent,
+                         inside.interior);
+}
+
+scene::Blob SceneWriter::blob_of(const NodeBlob& blob, const Surroundings& inside) {
+    scene::Blob out = blob.blob;
+    if (blob.textures.empty() || blob_texture(blob, inside.fallback, {})) return out;
+    for (std::size_t i = 0; i < blob.textures.size(); ++i)
+        if (blob.textures[i])
+            out.components[i].material = materials_.of(blob.textures[i], inside.world_from_parent, inside.interior);
+    return out;
+}
+
+Index SceneWriter::material_of(const Node& node, const Surroundings& inside) {
+    if (const auto* blob = std::get_if<NodeBlob>(&node.shape); blob && !blob->textures.empty())
+        return blob_material(*blob, inside, node.where);
     if (inside.texture) return materials_.of(inside.texture, inside.world_from_texture, inside.interior);
     return materials_.of(inside.fallback, inside.world_from_parent, inside.interior);
 }
@@ -154,7 +181,7 @@ void SceneWriter::add(const Node& node, const Surroundings& around) {
     Object object;
     object.name = spelling(node.keyword);
     object.where = context_.location(node.where);
-    object.material = material_of(inside);
+    object.material = material_of(node, inside);
     object.casts_shadow = !inside.no_shadow;
     object.seen_by_camera = !inside.no_image;
     object.seen_in_reflections = !inside.no_reflection;
@@ -259,11 +286,32 @@ std::shared_ptr<const scene::SolidMesh> SceneWriter::solid_mesh_of(const NodeMes
 SceneWriter::Surroundings SceneWriter::cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside) {
     Surroundings parts = inside;
     if (!node.cutaway_textures || inside.texture) return parts;
-    for (const NodePointer& child : group.children) {
-        if (!child->texture.texture) continue;
-        parts.texture = child->texture.texture;
-        parts.world_from_texture = inside.world_from_parent * child->texture.parent_from_texture;
-        break;
+    const std::vector<TexturedPart> textured = textured_parts(group);
+    if (textured.empty()) return parts;
+    parts.texture = textured.front().texture;
+    parts.world_from_texture = inside.world_from_parent * textured.front().group_from_texture;
+    const auto is_first = [&](const TexturedPart& part) {
+        return part.texture == parts.texture && part.group_from_texture == textured.front().group_from_texture;
+    };
+    if (std::all_of(textured.begin(), textured.end(), is_first)) return parts;
+    std::vector<std::shared_ptr<const scene::InsideTest>> insides;
+    for (const TexturedPart& part : textured) {
+        const std::shared_ptr<const Solid> solid = solid_of(*part.node, Surroundings{.fallback = inside.fallback});
+        if (!solid) {
+            insides.push_back(nullptr);
+            continue;
+        }
+        auto placed_part = std::make_shared<Solid>(*solid);
+        placed_part->parent_from_shape = part.group_from_parent * solid->parent_from_shape;
+        insides.push_back(
+            std::make_shared<const SolidTest>(solids::compile_solid(*placed_part, 0, context_.scene.textures)));
+    }
+    if (auto blended = cutaway_texture(textured, insides, context_.location(node.where))) {
+        parts.texture = std::make_shared<const scene::LayeredTexture>(*std::move(blended));
+        parts.world_from_texture = inside.world_from_parent;
+    } else {
+        context_.warn_once("cutaway_textures", node.where, "more textures are cut through than can be drawn",
+                           "what is cut shows the first part's");
     }
     return parts;
 }
@@ -275,7 +323,7 @@ std::shared_ptr<const Solid> SceneWriter::solid_of(const Node& node, const Surro
     solid->parent_from_shape = node.parent_from_shape;
     solid->inverted = node.inverted;
     solid->cutaway_textures = node.cutaway_textures;
-    solid->material = material_of(inside);
+    solid->material = material_of(node, inside);
     if (inside.interior_texture)
         solid->interior_material =
             materials_.of(inside.interior_texture, inside.world_from_interior_texture, inside.interior);
@@ -298,6 +346,9 @@ std::shared_ptr<const Solid> SceneWriter::solid_of(const Node& node, const Surro
                     if (auto part = solid_of(*child, parts)) group.children.push_back(std::move(part));
                 if (group.children.empty()) return false;
                 solid->shape = std::move(group);
+                return true;
+            } else if constexpr (std::is_same_v<Shape, NodeBlob>) {
+                solid->shape = blob_of(shape, inside);
                 return true;
             } else {
                 solid->shape = shape;

@@ -47,7 +47,7 @@ private:
     /// The number of a light set of the scene's, which gets it if it is new.
     std::uint32_t number_of(const scene::LightSet& lights);
 
-    /// For cutaway_textures: parts without a texture get that of the first part which has one.
+    /// For cutaway_textures: parts without a texture get those of the parts that have some.
     [[nodiscard]] Surroundings cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside);
 
     void add(const Node& node, const Surroundings& around);
@@ -55,7 +55,11 @@ private:
     /// Puts what a light is projected through into the scene, for it alone.
     void project(const NodeLight& node, const Surroundings& inside, scene::Light& light);
     std::shared_ptr<const scene::Solid> solid_of(const Node& node, const Surroundings& around);
-    scene::Index material_of(const Surroundings& inside);
+    scene::Index material_of(const Node& node, const Surroundings& inside);
+    /// Of a blob whose components have textures.
+    scene::Index blob_material(const NodeBlob& blob, const Surroundings& inside, Place where);
+    /// A blob with materials for its components, each where it is strongest: of those that can't be blended.
+    [[nodiscard]] scene::Blob blob_of(const NodeBlob& blob, const Surroundings& inside);
     scene::Mesh mesh_of(const NodeMesh& mesh, const Surroundings& inside, scene::Index material);
     std::shared_ptr<const scene::SolidMesh> solid_mesh_of(const NodeMesh& mesh, const Surroundings& inside);
 

@@ -64,6 +64,7 @@ struct Item {
 /// `keyword { items }`. Where an identifier was used (`texture { Steel scale 2 }`, `object { Tree }`), its value stands
 /// as an item of its own: a block of the same keyword inside the block, to be taken as the start and changed by what
 /// follows. A declared identifier of several blocks (layered textures) gives as many items.
+/// A declared finish gives its own items: povray knows no finish within a finish.
 struct Block {
     Keyword keyword{};
     std::uint16_t version = 370;  ///< 100 times the #version in force where the block begins.

@@ -218,6 +218,9 @@ void Interpreter::parse_keyword_item(std::vector<Item>& items, Keyword context, 
         return;
     }
     if (keyword == Keyword::function) return parse_function_item(items, depth);
+    if (keyword == Keyword::finish && context == Keyword::finish)
+        fail_expected(
+            "an item of this finish or its '}' (only a declared finish stands in another, by its name alone)");
     take();
     if (peek().kind != TokenKind::left_brace) {
         items.push_back({where, keyword});
@@ -258,6 +261,15 @@ void Interpreter::parse_name_item(std::vector<Item>& items, Keyword context, std
     if (auto* text = std::get_if<std::string>(&entity)) {
         items.push_back({where, std::move(*text)});
     } else if (const auto* group = std::get_if<BlockGroup>(&entity)) {
+        if (context == Keyword::finish && group->size() == 1 && group->front()->keyword == Keyword::finish) {
+            // As if written out, so that a finish never holds another.
+            if (!items.empty())
+                fail(where, "a declared finish behind other items of one",
+                     "it stands first, and what follows changes it");
+            items = group->front()->items;
+            deepen(depth, group->front()->depth - 1);
+            return;
+        }
         for (const std::shared_ptr<const Block>& block : *group) {
             deepen(depth, block->depth);
             items.push_back({where, block});

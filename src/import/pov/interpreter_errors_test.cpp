@@ -52,6 +52,15 @@ TEST(PovErrors, BrokenScenes) {
     EXPECT_TRUE(holds(message("5"), "expected an object"));
 }
 
+// A finish within a finish, which povray refuses; a declared one by its name is none, where it comes first.
+TEST(PovErrors, FinishesDontNest) {
+    EXPECT_TRUE(holds(message("sphere { 0, 1 finish { finish { phong 1 } } }"), "found 'finish'"));
+    const std::string declared = "#declare F = finish { phong 1 }; ";
+    EXPECT_TRUE(holds(message(declared + "sphere { 0, 1 finish { diffuse 1 F } }"), "behind other items"));
+    EXPECT_EQ(formatted(declared + "sphere { 0, 1 finish { F diffuse 1 } }"),
+              formatted("sphere { 0, 1 finish { phong 1 diffuse 1 } }"));
+}
+
 // What is wrong in parts that are never read mustn't stop a scene.
 TEST(PovErrors, SkippedPartsMayBeWrong) {
     EXPECT_EQ(message("#if (0) #nonsense \xff ^ undeclared { #end"), "no error");

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -11,8 +10,7 @@
 #include <stdexcept>
 
 #include "base/text_file.h"
-#include "output/file.h"
-#include "scene/files.h"
+#include "import/pov/kept_file.h"
 
 namespace sundog::pov {
 namespace {
@@ -27,22 +25,13 @@ std::array<float, kFloats> floats_of(const StoredPhoton& p) {
 }
 
 void append(const std::vector<StoredPhoton>& photons, std::string& out) {
-    for (const StoredPhoton& photon : photons) {
-        for (const float value : floats_of(photon)) {
-            const auto bits = std::bit_cast<std::uint32_t>(value);
-            for (unsigned shift = 0; shift < 32; shift += 8) out += static_cast<char>(bits >> shift & 255U);
-        }
-    }
+    for (const StoredPhoton& photon : photons)
+        for (const float value : floats_of(photon)) append_float(value, out);
 }
 
 StoredPhoton photon_at(const char* bytes) {
     std::array<float, kFloats> v{};
-    for (std::size_t i = 0; i < kFloats; ++i) {
-        std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 4; ++k)
-            bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i * 4 + k])) << (8 * k);
-        v[i] = std::bit_cast<float>(bits);
-    }
+    for (std::size_t i = 0; i < kFloats; ++i) v[i] = float_at(bytes + i * 4);
     return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, {v[9], v[10], v[11]}};
 }
 
@@ -50,11 +39,7 @@ StoredPhoton photon_at(const char* bytes) {
 class PhotonFile final : public PhotonStore {
 public:
     explicit PhotonFile(std::filesystem::path file) : file_(std::move(file)) {}
-    void keep(const StoredPhotons& photons) const override {
-        output::Replacement replacement(file_);
-        replacement.write(photon_file_bytes(photons));
-        replacement.commit();
-    }
+    void keep(const StoredPhotons& photons) const override { write_kept_file(file_, photon_file_bytes(photons)); }
 
 private:
     std::filesystem::path file_;
@@ -99,26 +84,16 @@ StoredPhotons photons_of_bytes(std::string_view bytes) {
 }
 
 std::shared_ptr<const StoredPhotons> load_photons(BuildContext& context, std::string_view name, Place where) {
-    const std::filesystem::path file = context.find_file(name, where);
-    if (file.empty())
-        context.fail(where, "can't find the file of photons " + in_quotes(name), context.why_not_found(name, where));
-    if (const auto reason = context.files.access().why_unreadable(file))
-        context.fail(where, "can't read the file of photons " + in_quotes(name), *reason);
-    scene::add_file(context.scene, file);
+    const std::string bytes = read_kept_file(context, name, where, "photons");
     try {
-        const std::vector<unsigned char> bytes = output::read_file(file);
-        return std::make_shared<const StoredPhotons>(
-            photons_of_bytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+        return std::make_shared<const StoredPhotons>(photons_of_bytes(bytes));
     } catch (const std::runtime_error& error) {
         context.fail(where, "can't read the file of photons " + in_quotes(name), error.what());
     }
 }
 
 std::shared_ptr<const PhotonStore> photon_store(BuildContext& context, std::string_view name, Place where) {
-    const std::filesystem::path file = context.files.output_path(name);
-    if (const auto reason = context.files.access().why_unwritable(file))
-        context.fail(where, "can't write to " + in_quotes(name), *reason);
-    return std::make_shared<const PhotonFile>(file);
+    return std::make_shared<const PhotonFile>(kept_file(context, name, where));
 }
 
 }  // namespace sundog::pov

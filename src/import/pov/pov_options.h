@@ -45,6 +45,12 @@ struct PovAccess {
 /// The streams of #debug, #render (`render`), #statistics, #warning.
 enum class PovStream : std::uint8_t { debug, render, statistics, warning };
 
+/// Where a picture's radiosity is kept (Radiosity_File_Name, Radiosity_From_File, Radiosity_To_File).
+struct PovRadiosityFile {
+    std::string name;
+    bool load = false, save = false;
+};
+
 struct PovOptions {
     int width = 640, height = 480;  ///< Of the picture: image_width, image_height and the camera's aspect.
     PovClock clock;
@@ -54,6 +60,7 @@ struct PovOptions {
     std::uint16_t version = 362;  ///< 100 times the language's version where the scene doesn't say: povray 3.7's own.
     PovLimits limits;
     PovAccess access;
+    PovRadiosityFile radiosity_file;
     /// Receives what the scene prints, as it prints it; may be empty.
     std::function<void(PovStream, std::string_view)> print;
 };

@@ -119,6 +119,8 @@ FN real3 media_depth(SCENE MediaGroup group, Ray ray, real reach) {
     uint samples = AT(code, group.first + 14u);
     uint intervals = AT(code, group.first + 18u);
     bool adaptive = AT(code, group.first + 15u) == 3u;
+    // Of method 1, between the least and the most.
+    if (AT(code, group.first + 15u) == 1u) samples = (samples + AT(code, group.first + 22u)) / 2u;
     // Method 3: `samples` at ends of steps and one between each two; but the last step's length is not passed.
     uint places = adaptive ? 2u * samples - 1u : samples;
     float step = adaptive ? 0.5f / float(samples) : 1.0f / float(samples);

@@ -328,34 +328,57 @@ FN void add_sample(MediaPart middle, uint samples, uint levels, float threshold,
     todo = mask_and(todo, steps.index < word(samples));
 }
 
+/// Whether `count` random samples are enough, whose light adds up to `sum`, and its squares to `squares`.
+///
+/// As povray's numbers of samples show: the true variance, which is with the medium's confidence not larger than the
+/// samples' times f/q (f = count - 1; q, the chi-squared distribution's quantile, by Wilson and Hilferty 1931), is at
+/// most the medium's times count^2 over the greatest number of samples.
+FN mask few_samples_do(SCENE uint medium, uint count, real3 sum, real3 squares) {
+    if (count < max(AT(code, medium + 22u), 2u)) return mask(false);
+    float n = float(count);
+    real3 variance = (squares - sum * sum * (1.0f / n)) * (1.0f / (n - 1.0f));
+    real spread = real(2.0f / (9.0f * (n - 1.0f)));
+    real quantile = max(1.0f - spread + code_float(SCENE_ medium + 24u) * sqrt(spread), real(0.0f));
+    float good = code_float(SCENE_ medium + 23u) * n * n / float(AT(code, medium + 14u));
+    return largest(variance) <= good * quantile * quantile * quantile;
+}
+
 /// Goes through one interval, of length `len`.
 ///
-/// Methods 1 and 2: the middles of even steps, or places about them. As povray's pictures show, a sample's light is
-/// dimmed from the interval's begin on by what is at the sample itself. Method 3: samples at the ends of steps and in
+/// Method 1: random places, until their variance is small enough (see few_samples_do()). Method 2: the middles of even
+/// steps, or places about them. As povray's pictures show, a sample's light is dimmed from the interval's begin on by
+/// what is at the sample itself. Method 3: samples at the ends of steps and in
 /// their middles, halved further where they differ; where all is the same and scatters nothing, one sample stands for
 /// all. The methods share one loop, for shaders have a copy of all that a sample needs for each place that asks for it.
 FN void march_interval(SCENE MediaRay r, real begin, real len, uint number, mask here, INOUT(MediaLight) sent,
                        INOUT(RayCounts) counts) {
     uint method = AT(code, r.group.first + 15u);
-    bool evenly = method != 3u;
-    bool is_even = !evenly && !r.group.varies && !r.group.scatters;
+    bool randomly = method == 1u;
+    bool evenly = method == 2u;
+    bool is_even = method == 3u && !r.group.varies && !r.group.scatters;
     uint samples = AT(code, r.group.first + 14u);
     uint levels = AT(code, r.group.first + 16u);
     float threshold = code_float(SCENE_ r.group.first + 17u);
-    float jitter = method == 1u ? 1.0f : code_float(SCENE_ r.group.first + 19u);
+    float jitter = code_float(SCENE_ r.group.first + 19u);
     float finest = 1.0f / float(1u << (levels - 1u));  // The share of a step that isn't halved further.
-    real dt = len * (1.0f / float(evenly ? samples : samples - 1u));
+    real dt = len * (1.0f / float(method == 3u ? samples - 1u : samples));
     real3 depth = real3(real(0.0f));
     real3 glow = depth;
+    real3 squares = depth;
     HalvedSteps steps;
-    if (!evenly) steps = begun_steps(begin, levels);
+    if (method == 3u) steps = begun_steps(begin, levels);
     uint i = 0u;
     mask todo = here;
     while (any_lane(todo)) {
         MediaPart part;
         part.share = real(1.0f);
         real at = real(float(i) + 0.5f);
-        if (evenly) {
+        if (randomly) {
+            // Steps of the golden ratio from a random place: any number of them is spread evenly.
+            at = media_jitter(r.ray, word(number * 256u), 1.0f) + (0.5f + 0.618033989f * float(i));
+            at = at - floor(at);
+            part.t = begin + len * at;
+        } else if (evenly) {
             if (jitter > 0.0f) at = at + media_jitter(r.ray, word(number * 256u + i), jitter);
             part.t = begin + dt * at;
         } else {
@@ -368,7 +391,18 @@ FN void march_interval(SCENE MediaRay r, real begin, real len, uint number, mask
         }
         part.point = lit_media_at(SCENE_ r, part.t, todo, counts);
         i = i + 1u;
-        if (evenly) {
+        if (randomly) {
+            real3 light = dimmed_by(part.point.extinction * (len * at)) * part.point.glow * len;
+            glow = glow + light;
+            squares = squares + light * light;
+            depth = depth + part.point.extinction * len;
+            mask ended = todo;
+            if (i < samples) ended = mask_and(todo, few_samples_do(SCENE_ r.group.first, i, glow, squares));
+            float share = 1.0f / float(i);
+            sent.glow = select(ended, sent.glow + sent.passes * glow * share, sent.glow);
+            sent.passes = select(ended, sent.passes * dimmed_by(depth * share), sent.passes);
+            todo = mask_and(todo, mask_not(ended));
+        } else if (evenly) {
             glow = glow + dimmed_by(part.point.extinction * (dt * at)) * part.point.glow * dt;
             depth = depth + part.point.extinction * dt;
             if (i >= samples) break;

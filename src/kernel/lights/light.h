@@ -97,9 +97,10 @@ FN real3 area_light_place(Light light, real s, real t, real3 to_light) {
     real3 side_u = real3(light.area_u);
     real3 side_v = real3(light.area_v);
     if ((light.flags & LIGHT_ORIENT) != 0u) {
-        real3 x_axis = real3(real(1.0f), real(0.0f), real(0.0f));
+        // Level with z, as povray's pictures show: it tells where few lights stand.
         real3 y_axis = real3(real(0.0f), real(1.0f), real(0.0f));
-        real3 aside = cross(to_light, select(abs(to_light.x) < real(0.9f), x_axis, y_axis));
+        real3 z_axis = real3(real(0.0f), real(0.0f), real(1.0f));
+        real3 aside = cross(to_light, select(abs(to_light.z) < real(0.99f), z_axis, y_axis));
         aside = normalize(aside);
         side_u = aside * length(light.area_u);
         side_v = cross(to_light, aside) * length(light.area_v);

@@ -47,7 +47,7 @@ FN real3 layer_reflectance(Layer layer, real eta, mask enclosed, real3 color, re
 FN real3 film_color(SCENE Layer layer, real3 p, real cos_light, real cos_eye) {
     real thickness = real(layer.irid_thickness);
     if (layer.irid_turbulence != 0.0f) {
-        real stirred = 1.05f + 4.0f * turbulence_scalar(p, 5u, 2.0f, 0.5f, 2u);
+        real stirred = 0.94f + 3.87f * turbulence_scalar(p, 5u, 2.0f, 0.5f, 2u);
         thickness = thickness * (1.0f + stirred * layer.irid_turbulence);
     }
     real way = 6.28318531f * thickness * (cos_light + cos_eye);
