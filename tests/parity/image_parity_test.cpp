@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/diagnostics.h"
 #include "device/cpu/cpu_device.h"
 #include "import/import.h"
 #include "test_devices.h"
@@ -97,6 +98,12 @@ class GltfParity : public testing::TestWithParam<std::string> {};
 TEST_P(GltfParity, CpuAndGpuDrawTheSamePicture) {
     const std::filesystem::path folder = std::filesystem::path(SUNDOG_SOURCE_DIR) / "scenes" / "gltf";
     compare_devices({GetParam(), import::import_scene(folder / (GetParam() + ".gltf"), {}), 0});
+}
+
+// Catches rainbows, turbulence of fog and of films, and bump maps that the GPU computes otherwise.
+TEST(PovParity, WeatherIsTheSame) {
+    const auto file = std::filesystem::path(SUNDOG_SOURCE_DIR) / "tests" / "parity" / "scenes" / "weather.pov";
+    compare_devices({"weather", import::import_scene(file, [](const Diagnostic& d) { ADD_FAILURE() << format(d); })});
 }
 
 std::string test_name(const testing::TestParamInfo<TestScene>& info) {

@@ -13,19 +13,25 @@ namespace sundog::pov {
 std::optional<scene::LayeredTexture> blob_texture(const NodeBlob& blob, const TexturePointer& own,
                                                   const SourceLocation& where);
 
-/// A part of a group that has a texture, in the group's space.
+/// A part of a group, in the group's space: where a point is inside of all of `nodes`, which are the part itself and
+/// the groups in it that it is in.
 struct TexturedPart {
-    TexturePointer texture;
+    struct PlacedNode {
+        NodePointer node;
+        Affine3d group_from_parent;
+    };
+    TexturePointer texture;  ///< Null: none of its own, nor of a group that it is in.
     Affine3d group_from_texture;
-    NodePointer node;  ///< What is inside of it.
-    Affine3d group_from_parent;
+    std::vector<PlacedNode> nodes;
 };
 
-/// All parts of a group with a texture of their own, or one of a union they are in. What is cut out of others is none.
+/// A group's parts, those without a texture only where they are in groups of it. What is cut out of others is none.
 std::vector<TexturedPart> textured_parts(const NodeGroup& group);
 
-/// What is cut through parts shows: their textures, in equal shares where several are at a point, and the first part's
-/// where none is. `insides` tell where each part is. None if they are more than can be drawn side by side.
+/// What is cut through parts shows: their textures, in equal shares where several are at a point. As povray's pictures
+/// show, a part without a texture is black. Where none is, at a part's own surface, black shows if there are such
+/// parts, else the first part's texture. `insides` tell where each part is. None if the textures are more than can be
+/// drawn side by side.
 std::optional<scene::LayeredTexture> cutaway_texture(
     const std::vector<TexturedPart>& parts, const std::vector<std::shared_ptr<const scene::InsideTest>>& insides,
     const SourceLocation& where);

@@ -285,5 +285,31 @@ TEST(BuildTexture, MissingImagesAreMagenta) {
     EXPECT_NE(built.warnings[0].find("missing image file 'no-such-file.png'"), std::string::npos);
 }
 
+// What asks where parts are must not put their lights into the scene once more.
+TEST(BuildTexture, CutPartsShineOnce) {
+    const BuiltScene built = build(
+        "difference { intersection { sphere { 0, 1 pigment { rgb 1 } } sphere { 0, 2 pigment { rgb 0 } }"
+        " light_source { 5*y, rgb 1 } } box { 0, 3 } cutaway_textures }");
+    EXPECT_TRUE(built.warnings.empty());
+    EXPECT_EQ(built.scene.lights.size(), 1U);
+    EXPECT_EQ(built.scene.objects.size(), 1U);
+}
+
+// More textures than can be drawn side by side: told once, and something is drawn.
+TEST(BuildTexture, TooManyPartsAreTold) {
+    std::string components, spheres;
+    for (int i = 0; i < 9; ++i) {
+        const std::string at = std::to_string(i) + "*x, 1";
+        const std::string pigment = " pigment { rgb " + std::to_string(i) + "/9 }";
+        components += "sphere { " + at + ", 1" + pigment + " } ";
+        spheres += "sphere { " + at + pigment + " } ";
+    }
+    const BuiltScene blob = build("#declare B = blob { " + components + "} object { B } object { B }");
+    EXPECT_EQ(blob.warnings, std::vector<std::string>{"a blob with more textures than can be blended"});
+    EXPECT_GE(blob.scene.materials.size(), 9U) << "each component's shows where that is strongest";
+    const BuiltScene cut = build("difference { union { " + spheres + "} box { 0, 3 } cutaway_textures }");
+    EXPECT_EQ(cut.warnings, std::vector<std::string>{"more textures are cut through than can be drawn"});
+}
+
 }  // namespace
 }  // namespace sundog::pov

@@ -7,7 +7,6 @@
 #include <string>
 #include <type_traits>
 
-#include "import/pov/build_part_textures.h"
 #include "import/pov/solid_test.h"
 
 namespace sundog::pov {
@@ -283,29 +282,47 @@ std::shared_ptr<const scene::SolidMesh> SceneWriter::solid_mesh_of(const NodeMes
     return out;
 }
 
+std::shared_ptr<const scene::InsideTest> SceneWriter::inside_test_of(const TexturedPart& part,
+                                                                     const Surroundings& inside) {
+    // What shines among the parts is in the scene once.
+    const std::size_t lights = context_.scene.lights.size(), objects = context_.scene.objects.size();
+    auto common = std::make_shared<Solid>();
+    scene::SolidGroup group;
+    group.kind = scene::SolidGroup::Kind::common;
+    for (const auto& [node, group_from_parent] : part.nodes) {
+        const std::shared_ptr<const Solid> solid = solid_of(*node, Surroundings{.fallback = inside.fallback});
+        if (!solid) continue;
+        auto placed_part = std::make_shared<Solid>(*solid);
+        placed_part->parent_from_shape = group_from_parent * solid->parent_from_shape;
+        for (auto* clips : {&placed_part->clipped_by, &placed_part->bounded_by}) {
+            for (auto& clip : *clips) {
+                auto moved = std::make_shared<Solid>(*clip);
+                moved->parent_from_shape = group_from_parent * moved->parent_from_shape;
+                clip = std::move(moved);
+            }
+        }
+        group.children.push_back(std::move(placed_part));
+    }
+    context_.scene.lights.resize(lights);
+    context_.scene.objects.resize(objects);
+    common->shape = std::move(group);
+    return std::make_shared<const SolidTest>(solids::compile_solid(*common, 0, context_.scene.textures));
+}
+
 SceneWriter::Surroundings SceneWriter::cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside) {
     Surroundings parts = inside;
     if (!node.cutaway_textures || inside.texture) return parts;
     const std::vector<TexturedPart> textured = textured_parts(group);
-    if (textured.empty()) return parts;
-    parts.texture = textured.front().texture;
-    parts.world_from_texture = inside.world_from_parent * textured.front().group_from_texture;
+    const auto first = std::find_if(textured.begin(), textured.end(), [](const auto& part) { return part.texture; });
+    if (first == textured.end()) return parts;
+    parts.texture = first->texture;
+    parts.world_from_texture = inside.world_from_parent * first->group_from_texture;
     const auto is_first = [&](const TexturedPart& part) {
-        return part.texture == parts.texture && part.group_from_texture == textured.front().group_from_texture;
+        return part.texture == first->texture && part.group_from_texture == first->group_from_texture;
     };
     if (std::all_of(textured.begin(), textured.end(), is_first)) return parts;
     std::vector<std::shared_ptr<const scene::InsideTest>> insides;
-    for (const TexturedPart& part : textured) {
-        const std::shared_ptr<const Solid> solid = solid_of(*part.node, Surroundings{.fallback = inside.fallback});
-        if (!solid) {
-            insides.push_back(nullptr);
-            continue;
-        }
-        auto placed_part = std::make_shared<Solid>(*solid);
-        placed_part->parent_from_shape = part.group_from_parent * solid->parent_from_shape;
-        insides.push_back(
-            std::make_shared<const SolidTest>(solids::compile_solid(*placed_part, 0, context_.scene.textures)));
-    }
+    for (const TexturedPart& part : textured) insides.push_back(inside_test_of(part, inside));
     if (auto blended = cutaway_texture(textured, insides, context_.location(node.where))) {
         parts.texture = std::make_shared<const scene::LayeredTexture>(*std::move(blended));
         parts.world_from_texture = inside.world_from_parent;

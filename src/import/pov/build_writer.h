@@ -9,6 +9,7 @@
 #include "import/pov/build_context.h"
 #include "import/pov/build_materials.h"
 #include "import/pov/build_node.h"
+#include "import/pov/build_part_textures.h"
 
 namespace sundog::pov {
 
@@ -49,6 +50,10 @@ private:
 
     /// For cutaway_textures: parts without a texture get those of the parts that have some.
     [[nodiscard]] Surroundings cutaway(const Node& node, const NodeGroup& group, const Surroundings& inside);
+
+    /// Tells where a part is.
+    [[nodiscard]] std::shared_ptr<const scene::InsideTest> inside_test_of(const TexturedPart& part,
+                                                                          const Surroundings& inside);
 
     void add(const Node& node, const Surroundings& around);
     void add_light(const NodeLight& light, const Surroundings& inside);
