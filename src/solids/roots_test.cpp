@@ -110,7 +110,7 @@ TEST(Roots, TheFirstAlone) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1, 1);
     int found_any = 0;
-    int behind_two_turns = 0;
+    int late = 0;
     for (int round = 0; round < 20000; ++round) {
         std::array<double, 5> c;
         for (double& v : c) v = number(random);
@@ -125,10 +125,10 @@ TEST(Roots, TheFirstAlone) {
         ASSERT_EQ(1U, first.size());
         EXPECT_NEAR(all[0], first[0], 1e-14) << round;
         ++found_any;
-        if (round % 2 == 0 && all[0] > 0.6) ++behind_two_turns;
+        if (round % 2 == 0 && all[0] > 0.6) ++late;
     }
     EXPECT_GT(found_any, 5000);
-    EXPECT_GT(behind_two_turns, 100);
+    EXPECT_GT(late, 100);
 }
 
 }  // namespace
