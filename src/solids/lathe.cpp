@@ -57,22 +57,10 @@ public:
     }
 
     bool crossings(const Ray& ray, Range range, CrossingList& out) const override {
-        const Path path(ray);
-        const std::size_t first = out.size();
-        Range whole = range;
-        tree_.along(ray, whole, [&](std::uint32_t i) { append_piece(path, i, range, out); });
-        for (const std::array<double, 2>& end : ends_) {
-            const double t = (end[1] - ray.origin.y) / ray.direction.y;
-            if (!range.contains(t)) continue;
-            const Vec3d p = ray.at(t);
-            if (!(p.x * p.x + p.z * p.z < end[0] * end[0])) continue;
-            Crossing c{t};
-            c.part = kEnd;
-            c.visible = false;
-            out.push_back(c);
-        }
-        std::sort(out.begin() + first, out.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
-        return inside(ray.at(range.lower));
+        return find(ray, range, out, false);
+    }
+    bool first_crossing(const Ray& ray, Range range, CrossingList& out) const override {
+        return find(ray, range, out, true);
     }
     [[nodiscard]] bool inside(Vec3d p) const override {
         return contains(box_, p) && inside_curves(curves_, std::hypot(p.x, p.z), p.y);
@@ -116,6 +104,30 @@ private:
 
     [[nodiscard]] const std::vector<CurvePiece>& pieces() const { return curves_[0].pieces; }
 
+    bool find(const Ray& ray, Range range, CrossingList& out, bool only_first) const {
+        const Path path(ray);
+        const std::size_t first = out.size();
+        Range whole = range;
+        tree_.along(ray, whole, [&](std::uint32_t i) {
+            const std::size_t before = out.size();
+            append_piece(path, i, range, out);
+            // What lies behind a surface isn't asked for.
+            for (std::size_t k = before; only_first && k < out.size(); ++k)
+                whole.upper = std::min(whole.upper, out[k].t);
+        });
+        for (const std::array<double, 2>& end : ends_) {
+            const double t = (end[1] - ray.origin.y) / ray.direction.y;
+            if (!range.contains(t)) continue;
+            const Vec3d p = ray.at(t);
+            if (!(p.x * p.x + p.z * p.z < end[0] * end[0])) continue;
+            Crossing c{t};
+            c.part = kEnd;
+            c.visible = false;
+            out.push_back(c);
+        }
+        std::sort(out.begin() + first, out.end(), [](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+        return inside(ray.at(range.lower));
+    }
     void append_piece(const Path& path, std::uint32_t i, Range range, CrossingList& out) const {
         const CurvePiece& piece = pieces()[i];
         const Cubic height = minus(piece.y, path.y);

@@ -34,8 +34,17 @@ template <std::size_t N>
 ValueAndSlope sample(const double* c, double s) {
     std::array<double, N + 1> b;
     std::copy_n(c, N + 1, b.begin());
-    for (std::size_t n = N; n > 1; --n)
-        for (std::size_t i = 0; i < n; ++i) b[i] += s * (b[i + 1] - b[i]);
+    // Without loops all of it stays in registers, up to the degrees that lathes have.
+    if constexpr (N <= 6) {
+        const auto row = [&]<std::size_t... I>(std::index_sequence<I...>) { ((b[I] += s * (b[I + 1] - b[I])), ...); };
+        const auto rows = [&]<std::size_t... R>(std::index_sequence<R...>) {
+            (row(std::make_index_sequence<N - R>{}), ...);
+        };
+        rows(std::make_index_sequence<N - 1>{});
+    } else {
+        for (std::size_t n = N; n > 1; --n)
+            for (std::size_t i = 0; i < n; ++i) b[i] += s * (b[i + 1] - b[i]);
+    }
     const double rise = b[1] - b[0];
     return {b[0] + s * rise, static_cast<double>(N) * rise};
 }

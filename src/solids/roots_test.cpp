@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -102,6 +103,32 @@ TEST(Roots, ChebyshevOfDegree16) {
     ASSERT_EQ(16U, found.size());
     for (int k = 0; k < 16; ++k)
         EXPECT_NEAR(-std::cos(M_PI * (k + 0.5) / 16), found[static_cast<std::size_t>(k)], 1e-6);
+}
+
+// Catches a first root that isn't the first of all: one behind a turn that was passed over, or none where there is one.
+TEST(Roots, TheFirstAlone) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> number(-1, 1);
+    int found_any = 0;
+    int late = 0;
+    for (int round = 0; round < 20000; ++round) {
+        std::array<double, 5> c;
+        for (double& v : c) v = number(random);
+        if (round % 2 == 0)
+            c = {std::abs(c[0]) + 0.2, -std::abs(c[1]), std::abs(c[2]) + 0.3, -std::abs(c[3]) - 0.2, c[4]};
+        RootList all;
+        append_bernstein_roots(c, all);
+        RootList first;
+        append_first_bernstein_root(c, first);
+        ASSERT_EQ(all.empty(), first.empty()) << round;
+        if (all.empty()) continue;
+        ASSERT_EQ(1U, first.size());
+        EXPECT_NEAR(all[0], first[0], 1e-14) << round;
+        ++found_any;
+        if (round % 2 == 0 && all[0] > 0.6) ++late;
+    }
+    EXPECT_GT(found_any, 5000);
+    EXPECT_GT(late, 100);
 }
 
 }  // namespace
