@@ -78,7 +78,7 @@ FN real3 normal_offset(SCENE uint kind, PatternPoint at, uint program, float fir
     if (kind == NORMAL_BUMPS) return noise_vector(p) * real(0.97f);
     if (kind == NORMAL_DENTS) {
         real n = noise_value(p, program);
-        return noise_vector(p) * (n * n * n * 1.02f);
+        return noise_vector(p) * (n * n * n * 1.13f);
     }
     real3 sum = real3(real(0.0f));  // wrinkles
     float scale = 1.0f;
