@@ -57,7 +57,7 @@
 /// Some program has this OP_*, some OP_FIELD this FIELD_*: shaders leave out what none has.
 #define PROGRAMS_HAVE(op) true
 #define FIELDS_HAVE(kind) true
-/// FrameParams::integrator is this one.
+#define PROGRAMS_HAVE_ANY(a, b, c) (PROGRAMS_HAVE(a) || PROGRAMS_HAVE(b) || PROGRAMS_HAVE(c))
 #define INTEGRATOR_IS(number) (scene.frame.integrator == (number))
 /// A parameter that is only read, and too large to be copied.
 #define LARGE(T) const T&

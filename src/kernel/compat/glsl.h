@@ -22,6 +22,8 @@
 #define RECORDING false
 #define INTEGRATOR_IS(number) (frame_integrator == (number))
 #define PROGRAMS_HAVE(op) ((program_ops & (1u << (op))) != 0u)
+// Not by PROGRAMS_HAVE: of three constants in an "or", glslang makes code that no driver takes.
+#define PROGRAMS_HAVE_ANY(a, b, c) ((program_ops & ((1u << (a)) | (1u << (b)) | (1u << (c)))) != 0u)
 #define FIELDS_HAVE(kind) ((program_fields & (1u << (kind))) != 0u)
 #ifdef SUNDOG_MEDIA
 #define KERNEL_MEDIA

@@ -7,6 +7,9 @@
 
 #include "kernel/materials/surface.h"
 #include "kernel/patterns/program.h"
+#ifndef __cplusplus
+#include "kernel/patterns/shader_normals.h"
+#endif
 
 KERNEL_BEGIN
 
@@ -72,7 +75,10 @@ FN real3 normal_offset(SCENE uint kind, PatternPoint at, uint program, float fir
     if (kind == NORMAL_IMAGE) return -image_slope(SCENE_ program, at, first, second);
     real3 p = at.position;
 #ifdef __cplusplus
-    if (kind == NORMAL_HOST) return ask_host(SCENE_ program, p, at, at.asking);
+    if (kind == NORMAL_QUILTED || kind == NORMAL_FACETS) return ask_host(SCENE_ program, p, at, at.asking);
+#else
+    if (FIELDS_HAVE(FIELD_QUILTED) && kind == NORMAL_QUILTED) return quilted_offset(p, first, second);
+    if (FIELDS_HAVE(FIELD_FACETS) && kind == NORMAL_FACETS) return facets_offset(p, at.normal, first, second);
 #endif
     if (kind == NORMAL_RIPPLES || kind == NORMAL_WAVES) return rings_slope(p, kind == NORMAL_RIPPLES, first, second);
     if (kind == NORMAL_BUMPS) return noise_vector(p) * real(0.97f);
@@ -112,9 +118,8 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 te
                 real3 stirred = turbulence_vector(p, octaves, code_float(SCENE_ at + 7u), code_float(SCENE_ at + 8u));
                 p = p + real3(code_vec3(SCENE_ at + 22u)) * stirred;
             }
-#ifdef __cplusplus
-            if (AT(code, at + 25u) != NONE) p = run_whole_program(SCENE_ AT(code, at + 25u), at_point).point;
-#endif
+            if (PROGRAMS_HAVE(OP_POINT) && AT(code, at + 25u) != NONE)
+                p = run_whole_program(SCENE_ AT(code, at + 25u), at_point).point;
             PatternPoint placed = at_point;
             placed.position = p;
             placed.asking = wanted;
