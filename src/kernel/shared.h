@@ -241,6 +241,10 @@ KERNEL_CONST uint MAPPING_CUBIC = 4u;
 /// No instruction: what stands among a scene's OP_* where some normal has a program for its pattern's point.
 KERNEL_CONST uint OP_POINT = 27u;
 
+/// OP_* that few scenes have, as bits: their shaders are variants of their own. So are those of FIELD_RARE's normals.
+KERNEL_CONST uint OP_RARE = 1u << OP_CRACKLE | 1u << OP_SHARED_FIELD | 1u << OP_REPEAT | 1u << OP_BLACK_HOLE |
+                            1u << OP_MAPPING | 1u << OP_POINT;
+
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;
 KERNEL_CONST uint FIELD_ONION = 1u;
@@ -275,6 +279,8 @@ KERNEL_CONST uint FIELD_FUNCTION = 26u;
 KERNEL_CONST uint FIELD_FACETS = 27u;           ///< The normal.
 KERNEL_CONST uint FIELD_FUNCTION_NOISE = 28u;   ///< Functions that ask for noise,
 KERNEL_CONST uint FIELD_FUNCTION_ANGLES = 29u;  ///< and those of circles and hyperbolas, powers and logarithms.
+
+KERNEL_CONST uint FIELD_RARE = 1u << FIELD_QUILTED | 1u << FIELD_FACETS;
 
 /// How OP_TURBULENCE moves points. See kernel/patterns/fields.h.
 KERNEL_CONST uint STIR_ALL = 0u;    ///< By a vector.

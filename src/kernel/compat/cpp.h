@@ -54,6 +54,9 @@
 #define INOUT(T) T&
 /// There is code for media. Shaders have it only where SUNDOG_MEDIA is defined, for it makes them a lot larger.
 #define KERNEL_MEDIA
+/// And for patterns that few scenes have (OP_RARE): shaders only with SUNDOG_RARE_PATTERNS, for drivers take long for
+/// code, even such as they leave out.
+#define KERNEL_RARE_PATTERNS
 /// Some program has this OP_*, some OP_FIELD this FIELD_*: shaders leave out what none has.
 #define PROGRAMS_HAVE(op) true
 #define FIELDS_HAVE(kind) true

@@ -6,7 +6,7 @@
 #include "kernel/patterns/density_grid.h"
 #include "kernel/patterns/fields.h"
 #include "kernel/patterns/host.h"
-#ifndef __cplusplus
+#if !defined(__cplusplus) && defined(KERNEL_RARE_PATTERNS)
 #include "kernel/patterns/shader_fields.h"
 #include "kernel/patterns/shader_warps.h"
 #endif
@@ -241,6 +241,7 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             values[target] = density_at(SCENE_ pc + 1u, points[source]);
 #endif
             pc = pc + 7u + AT(code, pc + 6u);
+#ifdef KERNEL_RARE_PATTERNS
         } else if (PROGRAMS_HAVE(OP_SHARED_FIELD) && op == OP_SHARED_FIELD) {
 #ifdef __cplusplus
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
@@ -260,6 +261,7 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             values[target] = crackle_form_value(points[source], code_vec3(SCENE_ pc), code_float(SCENE_ pc + 3u),
                                                 code_float(SCENE_ pc + 4u), AT(code, pc + 5u) != 0u);
             pc = pc + 6u;
+#endif
 #ifdef __cplusplus
         } else if (op == OP_HOST_FIELD) {
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;

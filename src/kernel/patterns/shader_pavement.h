@@ -24,9 +24,35 @@ FN uint pavement_sides(SCENE uint at, int i, int j) {
     return (AT(code, at + 7u + (digit >> 3u)) >> ((digit & 7u) * 4u)) & 7u;
 }
 
-/// Whether there are two tiles on both sides of the side of squares or triangles from a corner along an axis: 0: x; 1:
-/// z, or 60 degrees from x; 2: 120 degrees from x.
-FN bool pavement_border(SCENE uint at, int i, int j, int axis) {
+/// A side of squares or triangles: from a corner along an axis, 0: x; 1: z, or 60 degrees from x; 2: 120 degrees.
+struct PavementSide {
+    int i, j, axis;
+};
+
+/// From a corner of triangles, the side that is `direction` times 60 degrees from x.
+FN PavementSide triangle_side(int i, int j, int direction) {
+    int d = direction - floored_quotient(direction, 6) * 6;
+    PavementSide side;
+    side.i = d == 2 || d == 3 ? i - 1 : i;
+    side.j = d == 4 || d == 5 ? j - 1 : j;
+    side.axis = d > 2 ? d - 3 : d;
+    return side;
+}
+
+/// From a corner of squares, one of four sides: along x from there and towards there, then along z.
+FN PavementSide square_side(int i, int j, int number) {
+    PavementSide side;
+    side.i = number == 1 ? i - 1 : i;
+    side.j = number == 3 ? j - 1 : j;
+    side.axis = number < 2 ? 0 : 1;
+    return side;
+}
+
+/// Whether there are two tiles on both sides of it.
+FN bool is_pavement_border(SCENE uint at, PavementSide side) {
+    int axis = side.axis;
+    int i = side.i;
+    int j = side.j;
     uint bit = axis == 0 ? 2u : axis == 1 ? 1u : 4u;
     bool is_side = true;
     if (AT(code, at) == 6u) {
@@ -41,31 +67,15 @@ FN bool pavement_border(SCENE uint at, int i, int j, int axis) {
     return is_side && (pavement_sides(SCENE_ at, i, j) & bit) != 0u;
 }
 
-/// Likewise from a corner of triangles towards the neighbour that is `direction` times 60 degrees from x.
-FN bool pavement_border_towards(SCENE uint at, int i, int j, int direction) {
-    int d = direction - floored_quotient(direction, 6) * 6;
-    if (d == 2 || d == 3) i = i - 1;
-    if (d == 4 || d == 5) j = j - 1;
-    int axis = d > 2 ? d - 3 : d;
-    return pavement_border(SCENE_ at, i, j, axis);
-}
-
-/// Whether a corner of triangles (six directions) or squares (four) lies on a border.
+/// Whether a corner of triangles or squares lies on a border.
 FN bool is_pavement_corner(SCENE uint at, int i, int j) {
     bool squares = AT(code, at) == 4u;
     int count = squares ? 4 : 6;
     bool found = false;
     for (int d = 0; d < count; d = d + 1) {
-        if (squares) {
-            // Along both axes, from the corner and from the one before.
-            bool along_x = d < 2;
-            bool before = (d & 1) != 0;
-            found = pavement_border(SCENE_ at, along_x && before ? i - 1 : i, !along_x && before ? j - 1 : j,
-                                    along_x ? 0 : 1);
-        } else {
-            found = pavement_border_towards(SCENE_ at, i, j, d);
-        }
-        if (found) break;
+        PavementSide side = triangle_side(i, j, d);
+        if (squares) side = square_side(i, j, d);
+        found = found || is_pavement_border(SCENE_ at, side);
     }
     return found;
 }
@@ -122,8 +132,8 @@ FN real triangle_pavement(SCENE uint at, real x, real z) {
     real along_second = along_first * 0.5f + from_first * TRIANGLE_HEIGHT;
     real from_second = along_first * TRIANGLE_HEIGHT - from_first * 0.5f;
     real along_middle = (along_first + along_second) * ROOT_THIRD;
-    bool on_first = pavement_border_towards(SCENE_ at, i, j, first);
-    bool on_second = pavement_border_towards(SCENE_ at, i, j, first + 1);
+    bool on_first = is_pavement_border(SCENE_ at, triangle_side(i, j, first));
+    bool on_second = is_pavement_border(SCENE_ at, triangle_side(i, j, first + 1));
     if (on_first && on_second) {
         real plain = border_shade(min(from_first, from_second), TRIANGLE_INRADIUS);
         real to_middle = ROOT_THIRD - along_middle;
@@ -135,7 +145,8 @@ FN real triangle_pavement(SCENE uint at, real x, real z) {
     if (on_first || on_second) {
         real plain = border_shade(on_first ? from_first : from_second, TRIANGLE_INRADIUS);
         if (form == 0u || form == 3u) return plain;
-        if (!pavement_border_towards(SCENE_ at, i, j, on_first ? first + 2 : first - 1)) return plain;
+        int beyond = on_first ? first + 2 : first - 1;
+        if (!is_pavement_border(SCENE_ at, triangle_side(i, j, beyond))) return plain;
         real along_shared = on_first ? along_second : along_first;
         real from_shared = on_first ? from_second : from_first;
         if (form == 1u) return max(plain, clamp(2.0f - 4.0f * along_shared, 0.0f, 1.0f));
@@ -155,8 +166,8 @@ FN real square_pavement(SCENE uint at, real x, real z) {
     uint own = pavement_sides(SCENE_ at, i, j);
     bool left = (own & 1u) != 0u;
     bool lower = (own & 2u) != 0u;
-    bool right = pavement_border(SCENE_ at, i + 1, j, 1);
-    bool upper = pavement_border(SCENE_ at, i, j + 1, 0);
+    bool right = (pavement_sides(SCENE_ at, i + 1, j) & 1u) != 0u;
+    bool upper = (pavement_sides(SCENE_ at, i, j + 1) & 2u) != 0u;
     bool on_right = !(x - floor(x) < 0.5f);
     bool on_upper = !(z - floor(z) < 0.5f);
     int corner_i = on_right ? i + 1 : i;
