@@ -16,7 +16,7 @@ Tile(1, 0, pigment { crackle solid metric 1 color_map { Colours } scale 0.3 tran
 Tile(2, 0, pigment { quilted control0 0.3 control1 0.8 color_map { Colours } scale 0.4 translate <0.1, 0.2, 0.15> })
 Tile(3, 0, pigment { gradient x color_map { Colours } warp { repeat 0.5 * x flip x offset <0, 0.2, 0> } rotate 20 * z })
 Tile(0, 1, pigment { Bricks warp { black_hole <0.1, 0.1, 0>, 0.8 falloff 2 strength 2 } })
-Tile(1, 1, pigment { Bricks warp { black_hole 0, 0.2 repeat <0.6, 0.6, 0.6> turbulence <0.1, 0.1, 0> inverse } })
+Tile(1, 1, pigment { Bricks warp { black_hole 0, 0.2 repeat <0.6, 0.6, 0.6> turbulence <0.1, 0.1, 0> inverse } translate -0.25 * z })
 Tile(2, 1, pigment { Bricks warp { spherical dist_exp 0.5 } rotate 30 * x translate <0.1, 0.1, -0.4> })
 Tile(3, 1, pigment { Bricks warp { toroidal orientation y major_radius 0.5 } rotate 70 * x translate <0.1, 0.1, 0.3> })
 Tile(0, 2, pigment { Bricks warp { cylindrical orientation <1, 1, 0> } rotate 60 * x translate <0.1, 0.1, 0.4> })
