@@ -105,7 +105,7 @@ std::uint32_t normal_kind(scene::PatternNormal::Kind kind) {
         case Kind::waves:
             return kernel::NORMAL_WAVES;
         case Kind::special:
-            return kernel::NORMAL_HOST;
+            return kernel::NORMAL_QUILTED;
     }
     return kernel::NORMAL_BUMPS;
 }
@@ -166,15 +166,19 @@ std::uint32_t PatternCompiler::normals_of(const scene::Normal& normal) {
         const scene::Pattern& pattern = part.pattern;
         using Kind = scene::PatternNormal::Kind;
         out_.code.push_back(programs[i][0]);
-        out_.code.push_back(normal_kind(part.kind));
-        const bool facets = part.kind == Kind::special && pattern.kind == scene::Pattern::Kind::facets;
+        const bool special = part.kind == Kind::special;
+        const bool facets = special && pattern.kind == scene::Pattern::Kind::facets;
+        out_.code.push_back(facets ? kernel::NORMAL_FACETS : normal_kind(part.kind));
+        if (special) programs_.fields |= 1U << (facets ? kernel::FIELD_FACETS : kernel::FIELD_QUILTED);
         put(facets ? 1 : part.amount);
         out_.code.push_back(facets ? 2 : part.keeps_depth ? 1 : 0);
-        out_.code.push_back(part.kind == Kind::dents     ? fields::noise_generator_of(pattern)
-                            : part.kind == Kind::special ? host_->add(fields::make_host_normal(pattern), part.where)
-                                                         : programs[i][1]);
+        out_.code.push_back(part.kind == Kind::dents ? fields::noise_generator_of(pattern)
+                            : special                ? host_->add_shared(fields::make_host_normal(pattern))
+                                                     : programs[i][1]);
         if (part.kind == Kind::pattern) put(std::max(part.accuracy, 1e-5)), put(0);
         else if (part.kind == Kind::image) put(part.texel_u), put(part.texel_v);
+        else if (facets) put(pattern.facet_coords), put(pattern.facet_size);
+        else if (special) put(pattern.control0), put(pattern.control1);
         else put(pattern.frequency), put(pattern.phase);
         const bool stirred = !(pattern.turbulence == Vec3d{});
         put(pattern.lambda), put(pattern.omega);

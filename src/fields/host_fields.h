@@ -50,7 +50,7 @@ public:
 
     /// `where` is the pigment or normal that needs it.
     std::uint32_t add(std::unique_ptr<HostField> field, const SourceLocation& where) {
-        need(where);
+        if (!first_where_) first_where_ = where;
         return add_shared(std::move(field));
     }
     /// One that shaders compute for themselves.
@@ -58,12 +58,11 @@ public:
         fields_.push_back(std::move(field));
         return static_cast<std::uint32_t>(fields_.size() - 1);
     }
+    std::uint32_t add_shared_field(const scene::Pattern& pattern) {
+        return add_shared(make_host_field(pattern, textures_));
+    }
     std::uint32_t add_field(const scene::Pattern& pattern, const SourceLocation& where) {
         return add(make_host_field(pattern, textures_), where);
-    }
-    /// Says that a program can only be run by the host.
-    void need(const SourceLocation& where) {
-        if (!first_where_) first_where_ = where;
     }
     [[nodiscard]] bool empty() const { return fields_.empty(); }
     /// Of what only the host can run: the first, if there is any.

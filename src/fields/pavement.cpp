@@ -26,11 +26,14 @@ double shade(double depth, double width) { return std::clamp(1 - depth / width, 
 
 }  // namespace
 
-Pavement::Pavement(const scene::PavementForm& form)
-    : form_(form), tiles_(find_arrangement(form.sides, form.tiles, form.pattern)) {
-    if (tiles_ == nullptr) tiles_ = find_arrangement(form.sides, form.tiles, 1);
-    if (tiles_ == nullptr) tiles_ = find_arrangement(3, 1, 1);
+Pavement::Pavement(const scene::PavementForm& form) : form_(form), tiles_(&arrangement_of(form)) {
     form_.sides = tiles_->sides;
+}
+
+const Arrangement& arrangement_of(const scene::PavementForm& form) {
+    if (const Arrangement* tiles = find_arrangement(form.sides, form.tiles, form.pattern)) return *tiles;
+    if (const Arrangement* tiles = find_arrangement(form.sides, form.tiles, 1)) return *tiles;
+    return *find_arrangement(3, 1, 1);
 }
 
 unsigned Pavement::borders_of(int i, int j) const {

@@ -21,6 +21,8 @@ struct Arrangement {
 };
 /// Nothing where there is no such pattern.
 const Arrangement* find_arrangement(int sides, int tiles, int pattern);
+/// A form's own; the first of its kind where it names none that there is.
+const Arrangement& arrangement_of(const scene::PavementForm& form);
 /// How many there are for tiles of so many cells with so many sides.
 int arrangement_count(int sides, int tiles);
 

@@ -11,6 +11,7 @@
 #include "base/diagnostics.h"
 #include "fields/host_fields.h"
 #include "fields/pavement.h"
+#include "fields/shader_words.h"
 #include "fields/tilings.h"
 #include "kernel/shared.h"
 
@@ -238,6 +239,10 @@ private:
         if (shaders_ != nullptr) shaders_->ops |= 1U << op;
     }
     void put(double value) { code_.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(value))); }
+    void put_counted(const std::vector<std::uint32_t>& words) {
+        code_.push_back(static_cast<std::uint32_t>(words.size()));
+        code_.insert(code_.end(), words.begin(), words.end());
+    }
     void put(const Vec3d& v) { put(v.x), put(v.y), put(v.z); }
     void put(const PigmentColor& c) { put(c.r), put(c.g), put(c.b), put(c.filter), put(c.transmit); }
 
@@ -272,8 +277,10 @@ private:
         if (warp.kind == scene::Warp::Kind::turbulence)
             return write_turbulence({warp.turbulence, warp.octaves, warp.lambda, warp.omega}, kernel::STIR_ALL, 0, from,
                                     to);
-        instruction(kernel::OP_HOST_WARP, to, from, slot);
-        code_.push_back(host_.add(make_host_warp(warp), *where_));
+        const ShaderWarp for_shaders = shader_warp(warp);
+        instruction(for_shaders.op, to, from, slot);
+        code_.push_back(host_.add_shared(make_host_warp(warp)));
+        put_counted(for_shaders.words);
         return to;
     }
 
@@ -295,7 +302,6 @@ private:
             instruction(kernel::OP_POWER, slot);
             put(power->exponent);
         } else if (pattern.kind == Pattern::Kind::crackle && !(pattern.crackle == scene::CrackleForm{})) {
-            host_.need(*where_);
             instruction(kernel::OP_CRACKLE, slot, point);
             put(pattern.crackle.form), put(pattern.crackle.metric), put(pattern.crackle.offset);
             code_.push_back(pattern.crackle.solid ? 1 : 0);
@@ -305,8 +311,7 @@ private:
             write_density(pattern, slot, point);
         } else if (is_host_field(pattern.kind)) {
             if (pattern.kind == Pattern::Kind::pavement) check_pavement(pattern.pavement);
-            instruction(kernel::OP_HOST_FIELD, slot, point, slot);
-            code_.push_back(host_.add_field(pattern, *where_));
+            write_host_field(pattern, slot, point);
         } else {
             write_kernel_field(pattern, field, slot, point);
         }
@@ -318,6 +323,19 @@ private:
         put(as_it_is ? 1 : pattern.frequency);
         put(!drawn ? 0.5 : as_it_is ? 0 : pattern.phase);
         put(pattern.exponent);
+    }
+
+    void write_host_field(const Pattern& pattern, std::uint32_t slot, std::uint32_t point) {
+        const std::optional<ShaderField> for_shaders = shader_field(pattern);
+        instruction(for_shaders ? kernel::OP_SHARED_FIELD : kernel::OP_HOST_FIELD, slot, point, slot);
+        if (!for_shaders) {
+            code_.push_back(host_.add_field(pattern, *where_));
+            return;
+        }
+        code_.push_back(host_.add_shared_field(pattern));
+        code_.push_back(for_shaders->kind);
+        put_counted(for_shaders->words);
+        if (shaders_ != nullptr) shaders_->fields |= for_shaders->fields;
     }
 
     void check_pavement(const scene::PavementForm& form) const {
@@ -341,26 +359,16 @@ private:
         code_.push_back(static_cast<std::uint32_t>(std::clamp(pattern.interpolation, 0, 2)));
         const bool has_voxels = pattern.density && !pattern.density->values.empty();
         for (std::size_t axis = 0; axis < 3; ++axis) code_.push_back(has_voxels ? pattern.density->size[axis] : 0);
-        const std::vector<float> none;
-        const std::vector<float>& voxels = has_voxels ? pattern.density->values : none;
         const auto behind = static_cast<std::uint32_t>(code_.size() + 2);
         const auto [known, is_new] = shaders_->densities.try_emplace(pattern.density, behind);
         code_.push_back(known->second);
-        const std::size_t count = is_new ? voxels.size() : 0;
-        code_.push_back(static_cast<std::uint32_t>((count + 1) / 2));
-        constexpr float kMost = 65535;
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto voxel = static_cast<std::uint32_t>(std::lround(std::clamp(voxels[i], 0.0F, 1.0F) * kMost));
-            if (i % 2 == 0) code_.push_back(voxel);
-            else code_.back() |= voxel << 16U;
-        }
+        put_counted(is_new && has_voxels ? voxel_words(*pattern.density) : std::vector<std::uint32_t>());
     }
 
     void write_tiling(int number, std::uint32_t slot, std::uint32_t point) {
         const std::vector<std::uint32_t> words = tiling_words(periodic_tiling(number));
         instruction(kernel::OP_TILING, slot, point);
-        code_.push_back(static_cast<std::uint32_t>(words.size()));
-        code_.insert(code_.end(), words.begin(), words.end());
+        put_counted(words);
     }
 
     void write_kernel_field(const Pattern& pattern, std::optional<std::uint32_t> field, std::uint32_t slot,
@@ -477,6 +485,7 @@ void write_pigment_code(const scene::Pigment& pigment, std::vector<std::uint32_t
 void write_point_code(const Pattern& pattern, const SourceLocation& where, std::vector<std::uint32_t>& code,
                       HostFieldTable& host, ShaderPrograms* shaders) {
     ProgramWriter writer(code, host, shaders);
+    if (shaders != nullptr) shaders->ops |= 1U << kernel::OP_POINT;
     writer.write_point(pattern, where, 0, 0);
     writer.end();
 }

@@ -208,10 +208,9 @@ KERNEL_CONST uint OP_BLEND = 14u;        ///< Ends an entry: colour[target] += s
 /// value[target] = grey of colour[source]; its alpha if the operand is 1; if it is 2 to 6, red, green, blue, filter or
 /// transmit.
 KERNEL_CONST uint OP_GRAY = 15u;
-// By the host alone (see HostFields; OP_DENSITY by shaders, too): its number is the operand, source2 the slot whose
-// lanes ask.
-KERNEL_CONST uint OP_HOST_FIELD = 16u;  ///< value[target] = host's field at point[source].
-KERNEL_CONST uint OP_HOST_WARP = 17u;   ///< point[target] = host's warp of point[source].
+/// value[target] = field at point[source] that the host alone computes (see HostFields): its number is the operand,
+/// source2 the slot whose lanes ask.
+KERNEL_CONST uint OP_HOST_FIELD = 16u;
 KERNEL_CONST uint OP_CRACKLE =
     18u;  ///< value[target] = crackle at point[source]: 3 factors of distances, metric, offset, 1 if solid.
 
@@ -226,6 +225,25 @@ KERNEL_CONST uint OP_TILING = 21u;
 /// four words for density_at() (see kernel/patterns/density_grid.h) and where voxels are, how many words follow: those
 /// of the voxels, or 0 where another program holds them.
 KERNEL_CONST uint OP_DENSITY = 22u;
+// What the host is asked for on the CPU, in double precision, and shaders compute for themselves: the host's number,
+// source2 is the slot whose lanes ask; for shaders, FIELD_* (OP_SHARED_FIELD alone), how many words follow, and these.
+KERNEL_CONST uint OP_SHARED_FIELD = 23u;  ///< value[target] = field at point[source]; kernel/patterns/shader_fields.h.
+/// point[target] = point[source] warped, by repetition, a black hole or a mapping; kernel/patterns/shader_warps.h.
+KERNEL_CONST uint OP_REPEAT = 24u;
+KERNEL_CONST uint OP_BLACK_HOLE = 25u;
+KERNEL_CONST uint OP_MAPPING = 26u;
+/// Mappings of OP_MAPPING.
+KERNEL_CONST uint MAPPING_PLANAR = 0u;
+KERNEL_CONST uint MAPPING_CYLINDRICAL = 1u;
+KERNEL_CONST uint MAPPING_SPHERICAL = 2u;
+KERNEL_CONST uint MAPPING_TOROIDAL = 3u;
+KERNEL_CONST uint MAPPING_CUBIC = 4u;
+/// No instruction: what stands among a scene's OP_* where some normal has a program for its pattern's point.
+KERNEL_CONST uint OP_POINT = 27u;
+
+/// OP_* that few scenes have, as bits: their shaders are variants of their own. So are those of FIELD_RARE's normals.
+KERNEL_CONST uint OP_RARE = 1u << OP_CRACKLE | 1u << OP_SHARED_FIELD | 1u << OP_REPEAT | 1u << OP_BLACK_HOLE |
+                            1u << OP_MAPPING | 1u << OP_POINT;
 
 /// Fields of OP_FIELD: a number at each point. See kernel/patterns/fields.h.
 KERNEL_CONST uint FIELD_GRADIENT = 0u;
@@ -250,6 +268,19 @@ KERNEL_CONST uint FIELD_CELLS = 17u;
 KERNEL_CONST uint FIELD_CRACKLE = 18u;
 KERNEL_CONST uint FIELD_RIPPLES = 19u;
 KERNEL_CONST uint FIELD_WAVES = 20u;
+// Of OP_SHARED_FIELD.
+KERNEL_CONST uint FIELD_SLOPE = 21u;
+KERNEL_CONST uint FIELD_AOI = 22u;
+KERNEL_CONST uint FIELD_QUILTED = 23u;  ///< The normal, too.
+KERNEL_CONST uint FIELD_PAVEMENT = 24u;
+KERNEL_CONST uint FIELD_FRACTAL = 25u;
+KERNEL_CONST uint FIELD_FUNCTION = 26u;
+// No fields: what some of them need.
+KERNEL_CONST uint FIELD_FACETS = 27u;           ///< The normal.
+KERNEL_CONST uint FIELD_FUNCTION_NOISE = 28u;   ///< Functions that ask for noise,
+KERNEL_CONST uint FIELD_FUNCTION_ANGLES = 29u;  ///< and those of circles and hyperbolas, powers and logarithms.
+
+KERNEL_CONST uint FIELD_RARE = 1u << FIELD_QUILTED | 1u << FIELD_FACETS;
 
 /// How OP_TURBULENCE moves points. See kernel/patterns/fields.h.
 KERNEL_CONST uint STIR_ALL = 0u;    ///< By a vector.
@@ -278,7 +309,9 @@ KERNEL_CONST uint NORMAL_DENTS = 3u;  ///< Noise generator.
 KERNEL_CONST uint NORMAL_WRINKLES = 4u;
 KERNEL_CONST uint NORMAL_RIPPLES = 5u;  ///< Frequency, phase.
 KERNEL_CONST uint NORMAL_WAVES = 6u;    ///< Frequency, phase.
-KERNEL_CONST uint NORMAL_HOST = 7u;     ///< What the host says is added: its number.
+// The host's number, for the CPU asks it; two floats for shaders.
+KERNEL_CONST uint NORMAL_QUILTED = 7u;  ///< Control values.
+KERNEL_CONST uint NORMAL_FACETS = 8u;   ///< Coords, size.
 
 /// Wave forms of OP_WAVE.
 KERNEL_CONST uint WAVE_RAMP = 0u;

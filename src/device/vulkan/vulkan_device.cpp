@@ -13,10 +13,18 @@
 #include "device/vulkan/pipelines.h"
 #include "device/vulkan/scene_buffers.h"
 #include "device/vulkan/shaders/path_media_spirv.h"
+#include "device/vulkan/shaders/path_rare_media_spirv.h"
+#include "device/vulkan/shaders/path_rare_solids_media_spirv.h"
+#include "device/vulkan/shaders/path_rare_solids_spirv.h"
+#include "device/vulkan/shaders/path_rare_spirv.h"
 #include "device/vulkan/shaders/path_solids_media_spirv.h"
 #include "device/vulkan/shaders/path_solids_spirv.h"
 #include "device/vulkan/shaders/path_spirv.h"
 #include "device/vulkan/shaders/whitted_media_spirv.h"
+#include "device/vulkan/shaders/whitted_rare_media_spirv.h"
+#include "device/vulkan/shaders/whitted_rare_solids_media_spirv.h"
+#include "device/vulkan/shaders/whitted_rare_solids_spirv.h"
+#include "device/vulkan/shaders/whitted_rare_spirv.h"
 #include "device/vulkan/shaders/whitted_solids_media_spirv.h"
 #include "device/vulkan/shaders/whitted_solids_spirv.h"
 #include "device/vulkan/shaders/whitted_spirv.h"
@@ -35,7 +43,7 @@ struct Piece {
 
 /// Of the shaders that Pipelines gets. Those that find exact solids, too, need doubles, which not all GPUs have; those
 /// that draw media are larger than the others.
-constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2, kMediaShaders = 4;
+constexpr std::uint32_t kWhittedShader = 0, kPathShader = 1, kSolidShaders = 2, kMediaShaders = 4, kRareShaders = 8;
 
 class VulkanDevice final : public Device {
 public:
@@ -43,7 +51,9 @@ public:
         : gpu_(index, options.on_validation_message, {options.map_device_memory, options.staging_bytes}),
           pipelines_(gpu_,
                      {whitted_spirv, path_spirv, whitted_solids_spirv, path_solids_spirv, whitted_media_spirv,
-                      path_media_spirv, whitted_solids_media_spirv, path_solids_media_spirv},
+                      path_media_spirv, whitted_solids_media_spirv, path_solids_media_spirv, whitted_rare_spirv,
+                      path_rare_spirv, whitted_rare_solids_spirv, path_rare_solids_spirv, whitted_rare_media_spirv,
+                      path_rare_media_spirv, whitted_rare_solids_media_spirv, path_rare_solids_media_spirv},
                      kernel::BINDING_COUNT, sizeof(kernel::Dispatch)) {}
 
     [[nodiscard]] const DeviceInfo& info() const override { return gpu_.adapter().info; }
@@ -75,6 +85,8 @@ public:
         variant.program_ops = scene_->program_ops;
         variant.program_fields = scene_->program_fields;
         if ((frame.params.features & kernel::FEATURE_MEDIA) != 0) variant.shader += kMediaShaders;
+        if ((scene_->program_ops & kernel::OP_RARE) != 0 || (scene_->program_fields & kernel::FIELD_RARE) != 0)
+            variant.shader += kRareShaders;
         if (buffers_->solid_kinds() != 0) {
             variant.shader += kSolidShaders;
             variant.solid_kinds = buffers_->solid_kinds();

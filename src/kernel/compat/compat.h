@@ -17,8 +17,8 @@
 //   valid in every lane, active or not: valid_index(mask, i) makes it so.
 // - FRAME.x: a frame parameter. FEATURE(bits): whether the scene needs any of these FEATURE_* bits.
 //   WANTS_AOV(bits): whether the frame wants any of these AOV_* bits. INTEGRATOR_IS(number): whether it is this one.
-//   PROGRAMS_HAVE(OP_*), FIELDS_HAVE(FIELD_*): whether pigments' programs may.
-// - KERNEL_MEDIA: defined where there is code for participating media.
+//   PROGRAMS_HAVE(OP_*), FIELDS_HAVE(FIELD_*): whether pigments' programs may; PROGRAMS_HAVE_ANY: any of three OP_*.
+// - KERNEL_MEDIA: defined where there is code for participating media; KERNEL_RARE_PATTERNS: for patterns of OP_RARE.
 // - Float literals end in f. No references, pointers, recursion, templates, default arguments.
 #ifdef __cplusplus
 #include "kernel/compat/cpp.h"

@@ -54,10 +54,13 @@
 #define INOUT(T) T&
 /// There is code for media. Shaders have it only where SUNDOG_MEDIA is defined, for it makes them a lot larger.
 #define KERNEL_MEDIA
+/// And for patterns that few scenes have (OP_RARE): shaders only with SUNDOG_RARE_PATTERNS, for drivers take long for
+/// code, even such as they leave out.
+#define KERNEL_RARE_PATTERNS
 /// Some program has this OP_*, some OP_FIELD this FIELD_*: shaders leave out what none has.
 #define PROGRAMS_HAVE(op) true
 #define FIELDS_HAVE(kind) true
-/// FrameParams::integrator is this one.
+#define PROGRAMS_HAVE_ANY(a, b, c) (PROGRAMS_HAVE(a) || PROGRAMS_HAVE(b) || PROGRAMS_HAVE(c))
 #define INTEGRATOR_IS(number) (scene.frame.integrator == (number))
 /// A parameter that is only read, and too large to be copied.
 #define LARGE(T) const T&

@@ -2,7 +2,7 @@
 // The GLSL side of compat.h: one ray an invocation. The including shader declares, before any kernel function, the
 // buffers of kernel/arrays.h, a FrameParams named `frame`, and specialization constants `frame_features`,
 // `frame_aovs`, `frame_integrator`, `program_ops` and `program_fields`. With SUNDOG_MEDIA, the shader draws
-// participating media.
+// participating media, with SUNDOG_RARE_PATTERNS patterns that few scenes have.
 #ifndef SUNDOG_KERNEL_COMPAT_GLSL_H
 #define SUNDOG_KERNEL_COMPAT_GLSL_H
 
@@ -22,9 +22,14 @@
 #define RECORDING false
 #define INTEGRATOR_IS(number) (frame_integrator == (number))
 #define PROGRAMS_HAVE(op) ((program_ops & (1u << (op))) != 0u)
+// Not by PROGRAMS_HAVE: of three constants in an "or", glslang makes code that no driver takes.
+#define PROGRAMS_HAVE_ANY(a, b, c) ((program_ops & ((1u << (a)) | (1u << (b)) | (1u << (c)))) != 0u)
 #define FIELDS_HAVE(kind) ((program_fields & (1u << (kind))) != 0u)
 #ifdef SUNDOG_MEDIA
 #define KERNEL_MEDIA
+#endif
+#ifdef SUNDOG_RARE_PATTERNS
+#define KERNEL_RARE_PATTERNS
 #endif
 #define AT(array, i) array[i]
 #define FIELD(array, i, field) array[i].field

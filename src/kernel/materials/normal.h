@@ -7,39 +7,41 @@
 
 #include "kernel/materials/surface.h"
 #include "kernel/patterns/program.h"
+#if !defined(__cplusplus) && defined(KERNEL_RARE_PATTERNS)
+#include "kernel/patterns/shader_normals.h"
+#endif
 
 KERNEL_BEGIN
 
-/// A height program's answer: the grey of its colour.
-FN real pattern_height(SCENE uint program, PatternPoint at) { return gray_of(run_program_at(SCENE_ program, at).rgb); }
-
-/// A fifteenth of twice the height's slope, by differences between the corners of a tetrahedron of radius `step`.
-FN real3 pattern_slope(SCENE uint program, PatternPoint at, float step) {
-    real3 p = at.position;
-    real3 sum = real3(real(0.0f));
-    for (uint i = 0u; i < 4u; i = i + 1u) {
-        vec3 corner = vec3(0.0f, 1.0f, 0.0f);
-        if (i == 1u) corner = vec3(0.942809042f, -0.333333333f, 0.0f);
-        if (i == 2u) corner = vec3(-0.471404521f, -0.333333333f, 0.816496581f);
-        if (i == 3u) corner = vec3(-0.471404521f, -0.333333333f, -0.816496581f);
-        at.position = p + real3(corner) * real(step);
-        sum = sum + real3(corner) * pattern_height(SCENE_ program, at);
-    }
-    return sum * real(0.1f / step);
+/// A corner of a tetrahedron of radius 1.
+FN vec3 tetrahedron_corner(uint i) {
+    if (i == 0u) return vec3(0.0f, 1.0f, 0.0f);
+    if (i == 1u) return vec3(0.942809042f, -0.333333333f, 0.0f);
+    return vec3(-0.471404521f, -0.333333333f, i == 2u ? 0.816496581f : -0.816496581f);
 }
 
-/// An image's slope, rightwards and upwards, a texel: that of the plane through the texel itself and those to the left
-/// and right below it, as povray's pictures show it.
-FN real3 image_slope(SCENE uint program, PatternPoint at, float texel_u, float texel_v) {
+/// The slope of a program's heights, the grey of its colours. Of an image, rightwards and upwards, a texel (`step_u`
+/// and `step_v`): that of the plane through the texel itself and those to the left and right below it, as povray's
+/// pictures show it. Else a fifteenth of twice the slope, by differences between the corners of a tetrahedron of radius
+/// `step_u`.
+FN real3 height_slope(SCENE uint program, PatternPoint at, bool image, float step_u, float step_v) {
     real3 p = at.position;
-    real heights[3];
-    for (uint i = 0u; i < 3u; i = i + 1u) {
-        float beside = i == 0u ? 0.0f : i == 1u ? -texel_u : texel_u;
-        at.position = p + real3(vec3(beside, i == 0u ? 0.0f : -texel_v, 0.0f));
-        heights[i] = pattern_height(SCENE_ program, at);
+    real heights[4];
+    uint count = image ? 3u : 4u;
+    for (uint i = 0u; i < count; i = i + 1u) {
+        real3 offset = real3(tetrahedron_corner(i)) * real(step_u);
+        float beside = i == 0u ? 0.0f : i == 1u ? -step_u : step_u;
+        if (image) offset = real3(vec3(beside, i == 0u ? 0.0f : -step_v, 0.0f));
+        at.position = p + offset;
+        heights[i] = gray_of(run_program_at(SCENE_ program, at).rgb);
     }
-    real rise = heights[0] - (heights[1] + heights[2]) * 0.5f;
-    return real3((heights[2] - heights[1]) * 0.5f, rise, real(0.0f));
+    if (image) {
+        real rise = heights[0] - (heights[1] + heights[2]) * 0.5f;
+        return real3((heights[2] - heights[1]) * 0.5f, rise, real(0.0f));
+    }
+    real3 sum = real3(real(0.0f));
+    for (uint i = 0u; i < 4u; i = i + 1u) sum = sum + real3(tetrahedron_corner(i)) * heights[i];
+    return sum * real(0.1f / step_u);
 }
 
 /// A slope rightwards and upwards on a surface of normal n (unit): the picture turns with the surface, as povray's
@@ -68,11 +70,14 @@ FN real3 rings_slope(real3 p, bool one_wavelength, float frequency, float phase)
 
 /// What a normal of kind `kind` adds to a unit normal at p, both in the pattern's space, for an amount of 1.
 FN real3 normal_offset(SCENE uint kind, PatternPoint at, uint program, float first, float second) {
-    if (kind == NORMAL_PATTERN) return -pattern_slope(SCENE_ program, at, first);
-    if (kind == NORMAL_IMAGE) return -image_slope(SCENE_ program, at, first, second);
+    bool image = kind == NORMAL_IMAGE;
+    if (image || kind == NORMAL_PATTERN) return -height_slope(SCENE_ program, at, image, first, second);
     real3 p = at.position;
 #ifdef __cplusplus
-    if (kind == NORMAL_HOST) return ask_host(SCENE_ program, p, at, at.asking);
+    if (kind == NORMAL_QUILTED || kind == NORMAL_FACETS) return ask_host(SCENE_ program, p, at, at.asking);
+#elif defined(KERNEL_RARE_PATTERNS)
+    if (FIELDS_HAVE(FIELD_QUILTED) && kind == NORMAL_QUILTED) return quilted_offset(p, first, second);
+    if (FIELDS_HAVE(FIELD_FACETS) && kind == NORMAL_FACETS) return facets_offset(p, at.normal, first, second);
 #endif
     if (kind == NORMAL_RIPPLES || kind == NORMAL_WAVES) return rings_slope(p, kind == NORMAL_RIPPLES, first, second);
     if (kind == NORMAL_BUMPS) return noise_vector(p) * real(0.97f);
@@ -100,7 +105,15 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 te
     for (uint i = 0u; i < count; i = i + 1u) {
         uint at = start + 1u + i * NORMAL_WORDS;
         real weight = real(1.0f);
-        if (AT(code, at) != NONE) weight = run_program_at(SCENE_ AT(code, at), at_point).rgb.x;
+        real3 warped = point;
+        // One place for both programs: shaders have a copy of all that programs may do for each place that runs one.
+        for (uint k = 0u; k < 2u; k = k + 1u) {
+            uint program = k == 0u ? AT(code, at) : AT(code, at + 25u);
+            if (program == NONE) continue;
+            ProgramResult answer = run_whole_program(SCENE_ program, at_point);
+            if (k == 0u) weight = answer.color.rgb.x;
+            else warped = answer.point;
+        }
         mask wanted = mask_and(at_point.asking, weight > real(0.0f));
         if (any_lane(wanted)) {
             real3 from_x = real3(code_vec3(SCENE_ at + 10u));
@@ -112,9 +125,7 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 te
                 real3 stirred = turbulence_vector(p, octaves, code_float(SCENE_ at + 7u), code_float(SCENE_ at + 8u));
                 p = p + real3(code_vec3(SCENE_ at + 22u)) * stirred;
             }
-#ifdef __cplusplus
-            if (AT(code, at + 25u) != NONE) p = run_whole_program(SCENE_ AT(code, at + 25u), at_point).point;
-#endif
+            if (AT(code, at + 25u) != NONE) p = warped;
             PatternPoint placed = at_point;
             placed.position = p;
             placed.asking = wanted;

@@ -6,6 +6,10 @@
 #include "kernel/patterns/density_grid.h"
 #include "kernel/patterns/fields.h"
 #include "kernel/patterns/host.h"
+#if !defined(__cplusplus) && defined(KERNEL_RARE_PATTERNS)
+#include "kernel/patterns/shader_fields.h"
+#include "kernel/patterns/shader_warps.h"
+#endif
 #include "kernel/patterns/texture.h"
 #include "kernel/patterns/tiling.h"
 
@@ -237,16 +241,30 @@ FN_LARGE ProgramResult run_whole_program(SCENE uint start, PatternPoint at) {
             values[target] = density_at(SCENE_ pc + 1u, points[source]);
 #endif
             pc = pc + 7u + AT(code, pc + 6u);
+#ifdef KERNEL_RARE_PATTERNS
+        } else if (PROGRAMS_HAVE(OP_SHARED_FIELD) && op == OP_SHARED_FIELD) {
 #ifdef __cplusplus
-        } else if (op == OP_HOST_FIELD) {
             values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
-            pc = pc + 1u;
-        } else if (op == OP_CRACKLE) {
+#else
+            values[target] = shader_field_value(SCENE_ AT(code, pc + 1u), pc + 3u, points[source], at);
+#endif
+            pc = pc + 3u + AT(code, pc + 2u);
+        } else if (PROGRAMS_HAVE_ANY(OP_REPEAT, OP_BLACK_HOLE, OP_MAPPING) &&
+                   (op == OP_REPEAT || op == OP_BLACK_HOLE || op == OP_MAPPING)) {
+#ifdef __cplusplus
+            points[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]);
+#else
+            points[target] = shader_warped_point(SCENE_ op, pc + 2u, points[source]);
+#endif
+            pc = pc + 2u + AT(code, pc + 1u);
+        } else if (PROGRAMS_HAVE(OP_CRACKLE) && op == OP_CRACKLE) {
             values[target] = crackle_form_value(points[source], code_vec3(SCENE_ pc), code_float(SCENE_ pc + 3u),
                                                 code_float(SCENE_ pc + 4u), AT(code, pc + 5u) != 0u);
             pc = pc + 6u;
-        } else if (op == OP_HOST_WARP) {
-            points[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]);
+#endif
+#ifdef __cplusplus
+        } else if (op == OP_HOST_FIELD) {
+            values[target] = ask_host(SCENE_ AT(code, pc), points[source], at, asking[source2]).x;
             pc = pc + 1u;
 #endif
         } else if (PROGRAMS_HAVE(OP_TURBULENCE) && op == OP_TURBULENCE) {

@@ -6,5 +6,5 @@ camera { location <0, 0, -5> look_at 0 }
 sphere {
     0, 1 hollow pigment { rgbt 1 }
     interior { media { emission 1
-        density { function { sin(3 * x) + y } color_map { [0 rgb 0] [1 rgb 1] } } } }
+        density { object { sphere { 0, 0.5 } rgb 0, rgb 1 } } } }
 }
