@@ -36,7 +36,7 @@ difference {  // faces that coincide
     pigment { rgb <0.9, 0.5, 0.3> }
 }
 difference {
-    union { sphere { <-0.4, 0, 0>, 0.5 pigment { rgb x } } sphere { <0.4, 0, 0>, 0.5 pigment { rgb y } } }
+    union { sphere { <-0.4, 0, 0>, 0.5 } sphere { <0.4, 0, 0>, 0.5 } pigment { gradient x color_map { [0 rgb x] [1 rgb y] } } }
     plane { z, -0.2 }
     cutaway_textures
     translate <-0.4, -0.4, -3.4>
