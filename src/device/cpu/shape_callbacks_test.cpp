@@ -10,30 +10,10 @@
 #include <memory>
 #include <random>
 
+#include "device/cpu/test_packets.h"
+
 namespace sundog::cpu {
 namespace {
-
-/// A packet in Embree's layout, its lanes' rays aimed at about a cube of side 4.
-template <class Packet, unsigned N>
-struct Rays {
-    alignas(64) Packet packet{};
-    alignas(64) std::array<int, N> valid{};
-
-    explicit Rays(std::mt19937& random) {
-        std::uniform_real_distribution<float> number(-2, 2);
-        auto& ray = packet.ray;
-        for (unsigned i = 0; i < N; ++i) {
-            ray.org_x[i] = number(random), ray.org_y[i] = number(random), ray.org_z[i] = number(random);
-            ray.dir_x[i] = number(random), ray.dir_y[i] = number(random);
-            ray.dir_z[i] = i % 5 == 0 ? 0 : number(random);
-            ray.tnear[i] = 0;
-            ray.tfar[i] = i % 3 == 0 ? 1.5F : INFINITY;
-            ray.mask[i] = i % 7 == 3 ? 1U : 3U;
-            valid[i] = i % 6 == 5 ? 0 : -1;
-            packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-        }
-    }
-};
 
 template <class Packet, unsigned N>
 void compare(const RenderScene& scene, ShapeCallbacks shapes) {
@@ -44,7 +24,7 @@ void compare(const RenderScene& scene, ShapeCallbacks shapes) {
         data.visible_to = round % 2 == 0 ? 3U : 2U;
         data.culling = round % 3 == 0;
         const unsigned primitive = static_cast<unsigned>(round / 4) % data.geometry.primitive_count;
-        const Rays<Packet, N> rays(random);
+        const Rays<Packet, N> rays(random, Aim::anywhere);
         Rays<Packet, N> together = rays, alone = rays;
         embree::Context context = embree::make_context();
         const auto ask = [&](Rays<Packet, N>& some, RTCIntersectFunctionN function) {

@@ -9,6 +9,7 @@
 
 #include "device/cpu/quick_solid.h"
 #include "device/cpu/solid_callbacks.h"
+#include "device/cpu/test_packets.h"
 
 namespace sundog::cpu {
 namespace {
@@ -84,29 +85,6 @@ std::vector<SolidPointer> solids() {
     return out;
 }
 
-template <class Packet, unsigned N>
-struct Rays {
-    alignas(64) Packet packet{};
-    alignas(64) std::array<int, N> valid{};
-
-    explicit Rays(std::mt19937& random) {
-        std::uniform_real_distribution<float> number(-2, 2);
-        auto& ray = packet.ray;
-        for (unsigned i = 0; i < N; ++i) {
-            ray.org_x[i] = number(random), ray.org_y[i] = number(random), ray.org_z[i] = number(random);
-            ray.dir_x[i] = 0.3F * number(random) - ray.org_x[i];
-            ray.dir_y[i] = i % 5 == 0 ? 0 : 0.3F * number(random) - ray.org_y[i];
-            ray.dir_z[i] = i % 5 == 1 ? 0 : 0.3F * number(random) - ray.org_z[i];
-            if (i % 16 == 9) ray.dir_x[i] = ray.dir_z[i] = 0;
-            ray.tnear[i] = i % 4 == 0 ? 0.25F : 0;
-            ray.tfar[i] = i % 3 == 0 ? 1.5F : INFINITY;
-            ray.mask[i] = i % 7 == 3 ? 1U : 3U;
-            valid[i] = i % 6 == 5 ? 0 : -1;
-            packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-        }
-    }
-};
-
 struct Callbacks {
     RTCIntersectFunctionN intersect;
     RTCOccludedFunctionN occluded;
@@ -122,7 +100,7 @@ void compare(const RenderScene& scene, const solids::CompiledSolid& solid, Callb
         data.quick = quick.useful() ? &quick : nullptr;
         data.visible_to = round % 2 == 0 ? 3U : 2U;
         data.culling = round % 5 == 0;
-        const Rays<Packet, N> rays(random);
+        const Rays<Packet, N> rays(random, Aim::at_the_middle);
         Rays<Packet, N> together = rays, alone = rays;
         embree::Context context = embree::make_context();
         const auto ask = [&](Rays<Packet, N>& some, RTCIntersectFunctionN function) {

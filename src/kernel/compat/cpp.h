@@ -61,6 +61,7 @@
 #define PROGRAMS_HAVE(op) true
 #define FIELDS_HAVE(kind) true
 #define PROGRAMS_HAVE_ANY(a, b, c) (PROGRAMS_HAVE(a) || PROGRAMS_HAVE(b) || PROGRAMS_HAVE(c))
+/// FrameParams::integrator is this one.
 #define INTEGRATOR_IS(number) (scene.frame.integrator == (number))
 /// A parameter that is only read, and too large to be copied.
 #define LARGE(T) const T&

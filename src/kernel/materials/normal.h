@@ -58,7 +58,7 @@ FN real3 rings_slope(real3 p, bool one_wavelength, float frequency, float phase)
     real3 sum = real3(real(0.0f));
     for (uint i = 0u; i < 10u; i = i + 1u) {
         word hash = hash_word(word(i * 7919u + 101u));
-        real3 from_source = p - real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
+        real3 from_source = p - random_vector(hash);
         real distance = max(length(from_source), real(1e-6f));
         float own = one_wavelength ? 1.0f : 0.2f + 0.08f * float(i);
         float amount = one_wavelength ? 0.08f : 0.125f;
@@ -109,7 +109,7 @@ FN_LARGE real3 perturbed_normal(SCENE uint start, PatternPoint at_point, vec3 te
         // One place for both programs: shaders have a copy of all that programs may do for each place that runs one.
         for (uint k = 0u; k < 2u; k = k + 1u) {
             uint program = k == 0u ? AT(code, at) : AT(code, at + 25u);
-            if (program == NONE) continue;
+            if (program == NONE || !any_lane(weight > real(0.0f))) continue;
             ProgramResult answer = run_whole_program(SCENE_ program, at_point);
             if (k == 0u) weight = answer.color.rgb.x;
             else warped = answer.point;

@@ -40,7 +40,7 @@ FN bool may_be_near(CracklePoints found, real gap, bool thirds) {
 /// Looks at the point of the cell at `step` from the one that p lies in, `within` of it.
 FN CracklePoints with_cell(CracklePoints found, real3 home, real3 within, vec3 step, float metric) {
     word hash = cell_hash(home + real3(step), 0x17u);
-    real3 jitter = real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u)) * real(0.5f);
+    real3 jitter = random_vector(hash) * real(0.5f);
     real3 offset = real3(step) + jitter + real3(real(0.5f)) - within;
     real measure = crackle_measure(offset, metric);
     found.third = min(found.third, max(found.second, measure));

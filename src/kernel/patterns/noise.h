@@ -17,6 +17,11 @@ FN real fraction(real x) { return x - floor(x); }
 /// Bits 0..9 of a word as a number in [-1, 1].
 FN real signed_unit(word bits) { return real_from_word(bits & word(1023u)) * 0.00195503421f - 1.0f; }
 
+/// Three numbers in [-1, 1] of a hash.
+FN real3 random_vector(word hash) {
+    return real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
+}
+
 /// A random number in [0, 1) that belongs to a point or a direction and a number, so that pictures don't depend on
 /// threads.
 FN real random_at(real3 p, word number) {
@@ -218,7 +223,7 @@ FN real rings_value(real3 p, bool one_wavelength) {
     float power_sum = 0.0f;
     for (uint i = 0u; i < 10u; i = i + 1u) {
         word hash = hash_word(word(i * 7919u + 101u));
-        real3 source = real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
+        real3 source = random_vector(hash);
         float frequency = one_wavelength ? 1.0f : 0.08f + 0.08f * float(i);
         float height = 1.0f / frequency;
         sum = sum + height * sine(fraction(length(p - source) * frequency) * 6.28318531f);

@@ -13,11 +13,6 @@ FN real3 quilted_offset(real3 p, float control0, float control1) {
     return d * (1.73205081f * quilted_curve(control0, control1, length(d)));
 }
 
-/// Three numbers in -1..1 of a hash.
-FN real3 random_vector(word hash) {
-    return real3(signed_unit(hash), signed_unit(hash >> 10u), signed_unit(hash >> 20u));
-}
-
 /// Flat pieces: of the normal's direction itself if they have a size, else of the point p.
 FN real3 facets_offset(real3 p, real3 normal, float coords, float size) {
     real3 from = p * 10.0f;  // cells in a unit
